@@ -120,7 +120,11 @@ impl Derivation<'_> {
                 return Some(self.stated(name, value, unit));
             }
             Query::Axial(link) => indexed("N", self.label(link.index())),
-            Query::Normal(pair, _) => self.reactions_of(*pair),
+            Query::Normal(pair, _) => {
+                let declared = self.scene.mechanism().pair(*pair);
+                let parts = matches!(declared.kind, PairKind::Contact { parts: true, .. });
+                if parts { indexed("N", declared.name.clone()) } else { self.reactions_of(*pair) }
+            }
             Query::Moment(pair, _) if self.scene.mechanism().pair(*pair).kind.slipping().is_some() => {
                 let load = self.scene.view().load_of_clutch(*pair)?;
                 return self.derived(&Query::Load(LoadId::at(load)));

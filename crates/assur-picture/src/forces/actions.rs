@@ -4,7 +4,7 @@ use super::Part;
 use crate::scene::Scene;
 use assur_drawing::{Level, Text};
 use assur_math::math::Vec2;
-use assur_model::model::{LinkId, Pair, PairId, PairKind};
+use assur_model::model::{LinkId, LoadId, Pair, PairId, PairKind};
 use assur_model::structure::{BodyOrigin, EffortSource};
 use assur_position::position::{Action, Origin};
 
@@ -251,7 +251,10 @@ fn is_one(scene: &Scene<'_>, pair: PairId) -> bool {
 /// The greatest force that is applied anywhere, with that of the greatest moment over the size of the mechanism.
 fn greatest(scene: &Scene<'_>) -> f64 {
     let applied = &scene.solved.state.forces.applied;
+    // in a motion the loads on a link and its inertia may cancel
+    let loads = (0..scene.mechanism().loads.len()).filter_map(|i| scene.view().load_action(LoadId::at(i)));
     let force = applied.iter().map(|w| w.force.norm()).fold(0.0, f64::max);
+    let force = loads.map(|load| load.force.norm()).fold(force, f64::max);
     let moment = applied.iter().map(|w| w.moment.abs()).fold(0.0, f64::max);
     let extent = assur_solve::solve::extent(&scene.model);
     if extent > 0.0 { force + moment / extent } else { force }

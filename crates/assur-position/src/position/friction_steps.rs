@@ -38,6 +38,10 @@ impl State {
     pub fn friction_steps(&self, plan: &Plan, index: usize) -> Vec<Vec<f64>> {
         let mut seen: Vec<Vec<f64>> = Vec::new();
         let Some(ForceStep::Friction { plain, group }) = plan.forces.get(index) else { return seen };
+        // beside contacts that part the run gives the friction of all
+        if plan.friction.iter().any(|element| element.stop.is_some()) {
+            return seen;
+        }
         let mut state = self.clone();
         // kept states have no memory of this
         state.scratch = Scratch::of(plan);

@@ -155,7 +155,11 @@ functions! {
         [form(&[L], Number(Dimension::ANGULAR_ACCELERATION), "angular acceleration")],
     AngularJerk "angular_jerk" Motion "angular_jerk(rod)"
         [form(&[L], Number(Dimension::ANGULAR_JERK), "rate of the angular acceleration")],
-    Displacement "displacement" Motion "displacement(D)" [form(&[J], COORDINATE, "coordinate of the pair")],
+    Displacement "displacement" Motion "displacement(D)" [form(
+        &[J],
+        COORDINATE,
+        "coordinate of the pair; of a contact with `parts` its gap",
+    )],
     RelativeVelocity "relative_velocity" Motion "relative_velocity(D)"
         [form(&[J], Varies("that of the coordinate per time"), "rate of the coordinate")],
     RelativeAcceleration "relative_acceleration" Motion "relative_acceleration(D)"

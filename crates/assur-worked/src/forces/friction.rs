@@ -6,7 +6,7 @@ use crate::motion::of;
 use crate::words::FrictionMessage;
 use assur_formula::{Expr, Name, Unit};
 use assur_math::math::SAME;
-use assur_model::model::{LinkId, MoreFriction};
+use assur_model::model::{LinkId, MoreFriction, PairId};
 use assur_position::plan::{ForceStep, FrictionElement, FrictionGroup, FrictionLaw};
 use assur_position::position::Origin;
 
@@ -129,9 +129,41 @@ impl Derivation<'_> {
                 self.stated(name.clone(), self.state().forces.frictions[slot], unit)
             }
         };
+        self.put_friction(slot, element, &leaf);
+        leaf
+    }
+
+    /// The friction of a contact that parts, in proportion to what the contact bears.
+    pub(super) fn friction_of_parting(&mut self, pair: PairId, pressing: &Expr) {
+        let elements = self.scene.model.plan.friction.iter().enumerate();
+        let own = elements.filter(|(_, element)| element.pair == pair && element.stop.is_some());
+        for (slot, element) in own.map(|(slot, element)| (slot, *element)).collect::<Vec<_>>() {
+            if self.friction_in(slot) == 0.0 {
+                continue;
+            }
+            let rate = self.sense_of(slot, &element);
+            let (name, sense) = (self.friction_name(&element), self.state().forces.senses[slot]);
+            let effort = self.state().forces.frictions[slot];
+            let unit = if element.kind.turns() { Unit::Torque } else { Unit::Force };
+            let leaf = match self.by_law(&element, pressing.clone()) {
+                Some(right) if sense != 0.0 => {
+                    self.equate(name, effort, unit, if sense > 0.0 { -right } else { right })
+                }
+                _ => {
+                    self.solutions.insert(name.clone());
+                    self.stated(name, effort, unit)
+                }
+            };
+            self.put_friction(slot, &element, &leaf);
+            self.rubbing.extend(rate.map(|rate| (slot, leaf.clone(), rate)));
+        }
+    }
+
+    fn put_friction(&mut self, slot: usize, element: &FrictionElement, leaf: &Expr) {
+        let (name, turns) = (self.friction_name(element), element.kind.turns());
         for action in self.scene.view().actions_from(Origin::Friction(slot)) {
             if turns {
-                self.put_couple(&action, &leaf);
+                self.put_couple(&action, leaf);
                 continue;
             }
             let angle = match &element.kind {
@@ -139,37 +171,39 @@ impl Derivation<'_> {
                 _ => self.tangent(element, action.force * (1.0 / self.state().forces.frictions[slot])),
             };
             let parts = [leaf.clone() * angle.cos(), leaf.clone() * angle.sin()];
-            self.put_force(&action, &name, &parts, &[crate::course::cell(&leaf), vec![text("–")]]);
+            self.put_force(&action, &name, &parts, &[crate::course::cell(leaf), vec![text("–")]]);
         }
-        leaf
     }
 
     /// M_f = ∓ρ R, F_f = ∓f N with the reactions found.
     fn law_of_friction(&mut self, slot: usize, element: &FrictionElement) {
         let (effort, sense) = (self.state().forces.frictions[slot], self.state().forces.senses[slot]);
-        let pair = self.scene.mechanism().pair(element.pair).name.clone();
         if sense == 0.0 {
             return;
         }
         let Some(size) = self.pressed(element) else { return };
-        let (right, unit) = match &element.kind {
-            FrictionLaw::Circle { radius } => (
-                self.times_reaction(element, Name::new("ρ", &pair), *radius, Unit::Length) * size,
-                Unit::Torque,
-            ),
-            FrictionLaw::Guide { coefficient, .. } | FrictionLaw::Contact { coefficient, .. } => (
-                self.times_reaction(element, Name::new("f", &pair), *coefficient, Unit::One) * size.abs(),
-                Unit::Force,
-            ),
-            FrictionLaw::Rolling { arm } => (
-                self.times_reaction(element, Name::new("δ", &pair), *arm, Unit::Length) * size.abs(),
-                Unit::Torque,
-            ),
-            FrictionLaw::BothEnds { .. } => return,
-        };
+        let Some(right) = self.by_law(element, size) else { return };
+        let unit = if element.kind.turns() { Unit::Torque } else { Unit::Force };
         let right = if sense > 0.0 { -right } else { right };
         let name = self.friction_name(element);
         self.confirm(name, effort, unit, right);
+    }
+
+    /// The friction that goes with what presses; none where both ends of a guide do.
+    fn by_law(&mut self, element: &FrictionElement, size: Expr) -> Option<Expr> {
+        let pair = self.scene.mechanism().pair(element.pair).name.clone();
+        Some(match &element.kind {
+            FrictionLaw::Circle { radius } => {
+                self.times_reaction(element, Name::new("ρ", &pair), *radius, Unit::Length) * size
+            }
+            FrictionLaw::Guide { coefficient, .. } | FrictionLaw::Contact { coefficient, .. } => {
+                self.times_reaction(element, Name::new("f", &pair), *coefficient, Unit::One) * size.abs()
+            }
+            FrictionLaw::Rolling { arm } => {
+                self.times_reaction(element, Name::new("δ", &pair), *arm, Unit::Length) * size.abs()
+            }
+            FrictionLaw::BothEnds { .. } => return None,
+        })
     }
 
     /// What the reaction in a pair is multiplied by: a value of the file, or f/sin β of a groove, k f of a fit with its values.

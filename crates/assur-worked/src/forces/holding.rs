@@ -6,7 +6,7 @@ use crate::document::{Line, text};
 use crate::motion::of;
 use crate::words::FrictionMessage;
 use assur_formula::{Expr, Name, Quantity, Unit};
-use assur_model::model::{Load, LoadId, LoadKind, PairId, Query, Value};
+use assur_model::model::{Load, LoadId, LoadKind, PairId, PairKind, Query, Value};
 use assur_position::plan::{ForceStep, FrictionElement};
 use assur_position::position::{Action, Origin};
 use std::sync::Arc;
@@ -90,10 +90,13 @@ impl Derivation<'_> {
 
     /// The force of a stop on which a pair rests: its magnitude, which the balance of a link gives or the solver states.
     pub(super) fn stop_effort(&mut self, pair: PairId, action: &Action, effort: f64, unit: Unit) -> Expr {
-        let words = self.scene.mechanism().pair(pair).name.clone();
+        let declared = self.scene.mechanism().pair(pair);
+        let parts = matches!(declared.kind, PairKind::Contact { .. });
+        let message = if parts { FrictionMessage::ContactCloses } else { FrictionMessage::RestsOnStop };
+        let words = declared.name.clone();
         let name = Name::new(if unit == Unit::Force { "N" } else { "M" }, &words);
-        let parts: [Line; 2] = [vec![text(words)], of(&name)];
-        self.say(FrictionMessage::RestsOnStop, &parts);
+        let letters: [Line; 2] = [vec![text(words)], of(&name)];
+        self.say(message, &letters);
         if self.gives_hold(pair) {
             let (from, on) = (action.from, action.on);
             return self.sought(Hold { pair, from, name, value: effort, unit, on });

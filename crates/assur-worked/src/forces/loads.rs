@@ -127,6 +127,8 @@ impl Derivation<'_> {
                     Value::Scalar(effort) => effort,
                     _ => action.couple,
                 };
+                // of a designed cam the normal force, not what belongs to the gap
+                let effort = if is_force { action.force.norm().copysign(effort) } else { effort };
                 let torsion = if is_force { None } else { self.torsion(load, *pair, effort) };
                 let value = match torsion {
                     Some(value) => value,
@@ -141,6 +143,7 @@ impl Derivation<'_> {
                 };
                 if is_force {
                     self.along_guide(action, effort, name, &value);
+                    self.friction_of_parting(*pair, &value);
                 } else {
                     self.put_couple(action, &value);
                 }

@@ -119,6 +119,24 @@ impl Derivation<'_> {
         Some((name, here))
     }
 
+    /// The direction of the line of a contact, in the sense in which its friction counts.
+    fn along_line(&mut self, element: &FrictionElement, along: Vec2) -> Option<Angle> {
+        let FrictionLaw::Contact { first, second, .. } = element.kind else { return None };
+        let sides = [(element.body, first), (element.base, second)];
+        let (body, own) = sides.into_iter().find_map(|(body, shape)| match shape {
+            ProfileShape::Line(_, own) => Some((body, own)),
+            _ => None,
+        })?;
+        let here = own.turned(self.moved(body).u);
+        if here.cross(along).abs() > SAME {
+            return None;
+        }
+        let own = if here.dot(along) < 0.0 { -own } else { own };
+        let pair = self.scene.mechanism().pair(element.pair).name.clone();
+        let own = self.direction_given(own, || Name::new("γ", &pair));
+        Some(self.bodies[body].as_ref().map_or(own.clone(), |known| known.angle.plus(&own)))
+    }
+
     /// The direction of the tangent of a contact: that of the block which stands for it, or across it.
     pub(super) fn tangent(&mut self, element: &FrictionElement, along: Vec2) -> Angle {
         let bodies = &self.structure().replaced.bodies;
@@ -129,6 +147,9 @@ impl Derivation<'_> {
             if let Ok(Angle { part: None, quarters }) = turn {
                 return known.angle.plus(&Angle { part: None, quarters });
             }
+        }
+        if let Some(angle) = self.along_line(element, along) {
+            return angle;
         }
         let pair = self.scene.mechanism().pair(element.pair).name.clone();
         let degrees = libm::atan2(along.y, along.x).to_degrees();

@@ -66,8 +66,8 @@ messages! {
 messages! {
     /// Friction: its sense, its steps, what holds, what is lost.
     FrictionMessage of "friction" {
-        FrictionFirst FrictionLaws PairStill PairHeld PairHeldByBalance ClutchSlips ContactPoint RestsOnStop HoldTurn
-        HoldShift FrictionDirect FrictionSenses PairMovesPositive PairMovesNegative PairBeginsPositive
+        FrictionFirst FrictionLaws PairStill PairHeld PairHeldByBalance ClutchSlips ContactPoint RestsOnStop
+        ContactCloses HoldTurn HoldShift FrictionDirect FrictionSenses PairMovesPositive PairMovesNegative PairBeginsPositive
         PairBeginsNegative PairOnGroundPositive PairOnGroundNegative FrictionSteps FrictionSearched Change
         Losses PairsLose WithoutFriction EffortsDrive EffortsResist NotLocked LocksItself OnlyFriction
         LocksFrom Locked FrictionShares FrictionSharesHere

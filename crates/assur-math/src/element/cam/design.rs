@@ -6,6 +6,9 @@ use super::program::{Part, Program};
 use super::{Follower, Shape};
 use crate::element::search::greatest;
 
+/// As near as this to an end of a part, rad, an extreme is there.
+const AT_END: f64 = 1e-6;
+
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cam {
     /// Least radius of the pitch curve; for a flat face least distance of the face from the centre, m.
@@ -63,7 +66,12 @@ impl Cam {
     pub(super) fn greatest_of(&self, f: impl Fn(&CamPoint) -> f64) -> (f64, f64) {
         let mut best = (0.0, f64::NEG_INFINITY);
         for part in self.program.parts() {
-            let found = greatest(part.from, part.to, &|phi| f(&self.on_part(&part, phi)));
+            let value = |phi: f64| f(&self.on_part(&part, phi));
+            let found = greatest(part.from, part.to, &value);
+            // next to an end of a part it is that end: the search knows a flat top to half its digits
+            let ends = [part.from, part.to].into_iter().find(|end| (end - found.0).abs() < AT_END);
+            let same = |end: &f64| value(*end) >= found.1 - 1e-13 * found.1.abs();
+            let found = ends.filter(same).map_or(found, |end| (end, value(end)));
             // equal hills: the first one
             if found.1 > best.1 + 1e-13 * best.1.abs() || best.1 == f64::NEG_INFINITY {
                 best = found;
