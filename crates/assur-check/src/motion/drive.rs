@@ -245,28 +245,34 @@ pub(crate) fn moves(cx: &Context<'_>, target: DriveTarget) -> Moves {
 
 pub(super) fn once(cx: &mut Context<'_>, target: DriveTarget, name: &str, span: Span) -> bool {
     let first = cx.builder.mech.drives.iter().find(|d| place::is_given(d, target));
-    let Some((first, moves)) = first.map(|d| (d.span, d.free || d.sought.is_some())) else {
-        return true;
+    let Some(first) = first.map(|d| d.span) else { return true };
+    let of = |place: Span| {
+        let holds = |s: &&Spanned<Statement>| s.span.start <= place.start && place.end <= s.span.end;
+        cx.doc.statements.iter().find(holds)
     };
-    let other = |s: &Statement| matches!(s, Statement::Equilibrium(_) | Statement::Start(_));
-    let again = cx
-        .doc
-        .statements
-        .iter()
-        .any(|s| other(&s.node) && s.span.start <= span.start && span.end <= s.span.end);
-    let help = if moves || again {
-        "keep one of them: `equilibrium` is where it stays at rest, `start` is where a motion begins, and \
-         a `drive` gives the motion"
-            .to_owned()
-    } else {
-        format!("write several positions in one drive: `drive {name} = 10 deg, 55 deg, 80 deg`")
+    let both = [first, span].map(of);
+    let is = |kind: fn(&Statement) -> bool| both.into_iter().flatten().find(|s| kind(&s.node));
+    let drive = is(|s| matches!(s, Statement::Drive(_)));
+    let equilibrium = is(|s| matches!(s, Statement::Equilibrium(_))).is_some();
+    let message = Diagnosis::error("mech::geometry::driven_twice", format!("`{name}` is driven twice"))
+        .primary(span, "driven again here")
+        .label(first, "already driven here");
+    let message = match drive {
+        Some(drive) if is(|s| !matches!(s, Statement::Drive(_))).is_some() => {
+            let why = match equilibrium {
+                true => "`equilibrium` finds its position",
+                false => "after a `start` the loads move it",
+            };
+            let what = format!("`drive {name}`");
+            message.help(format!("leave out {what}: {why}")).left_out(&what, drive.span)
+        }
+        Some(_) => message
+            .help(format!("write several positions in one drive: `drive {name} = 10 deg, 55 deg, 80 deg`")),
+        None => message.help(
+            "keep one of them: `equilibrium` is where it stays at rest, `start` is where a motion begins",
+        ),
     };
-    cx.error(
-        Diagnosis::error("mech::geometry::driven_twice", format!("`{name}` is driven twice"))
-            .primary(span, "driven again here")
-            .label(first, "already driven here")
-            .help(help),
-    );
+    cx.error(message);
     false
 }
 

@@ -300,6 +300,7 @@ pub static CODES: &[Code] = codes! {
     "simulate" / "shaken",
     "accuracy" / "out_of_reach",
     "request" / "not_supported_yet",
+    "request" / "given_load",
     "request" / "needs_speed",
     "train" / "no_position",
     "train" / "no_place",
