@@ -79,8 +79,21 @@ impl Context<'_> {
             .or_else(|| self.by_turn(want, found, expr))
             .or_else(|| self.column_without_unit(want, found, expr))
             .or_else(|| self.in_its_place(want, found, &what, expr));
-        self.error(unit_mismatch(&what, &phrase(want), &phrase(found), span, help));
+        let mismatch = unit_mismatch(&what, &phrase(want), &phrase(found), span, help);
+        let given = self.wrong_definition(expr);
+        self.error(match given {
+            Some(at) if !(at.start <= span.start && span.end <= at.end) => mismatch.label(at, "given here"),
+            _ => mismatch,
+        });
         false
+    }
+
+    /// Where a name that does not fit is defined. What does not fit because of it elsewhere is no second mistake.
+    fn wrong_definition(&mut self, expr: &Expr) -> Option<Span> {
+        let ExprKind::Name(name) = &expr.kind else { return None };
+        let at = self.number_behind(name)?.value.span;
+        self.values.definitions.settled.insert(name.clone(), Settled::Failed);
+        Some(at)
     }
 
     /// `omega(rotor)` for `angle(rotor)`: the derivative that has the dimension.

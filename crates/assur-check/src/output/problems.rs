@@ -34,6 +34,19 @@ impl Problems {
         self.found = diagnostic::Problems::new();
     }
 
+    /// Whether a pair is asked for that the file has not.
+    pub fn lacks_pair(&self) -> bool {
+        self.reported.iter().any(|(kind, _)| kind.split(" or ").any(|kind| kind == "pair"))
+    }
+
+    /// Drops errors of these codes, unless nothing else is wrong.
+    pub fn drop_followers(&mut self, codes: &[&str], unread: bool) {
+        let kept = self.found.without(codes);
+        if unread || kept.has_errors() {
+            self.found = kept;
+        }
+    }
+
     /// All that was found.
     pub fn into_found(self) -> diagnostic::Problems {
         self.found

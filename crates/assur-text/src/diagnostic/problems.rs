@@ -107,6 +107,15 @@ impl Problems {
         self.more_warnings += later.more_warnings;
     }
 
+    /// Those that are no errors of these codes.
+    #[must_use]
+    pub fn without(&self, codes: &[&str]) -> Self {
+        let is_kept = |p: &&Arc<dyn Problem>| {
+            !is_error(p.as_ref()) || p.code().is_none_or(|code| !codes.contains(&code.to_string().as_str()))
+        };
+        Self { items: self.items.iter().filter(is_kept).cloned().collect(), ..*self }
+    }
+
     /// All of them, of this row of variants: `row` is it in words, `span` its place in the file's own table.
     #[must_use]
     pub fn of_row(self, row: &str, span: Option<Span>) -> Self {

@@ -131,6 +131,7 @@ pub static CODES: &[Code] = codes! {
     "name" / "ambiguous_point",
     "unit" / "unknown",
     "unit" / "missing",
+    "unit" / "no_number",
     "unit" / "mismatch",
     "unit" / "operands",
     "unit" / "hertz",

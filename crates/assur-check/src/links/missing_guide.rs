@@ -1,0 +1,35 @@
+//! The prismatic pair that a file names and does not declare.
+
+use crate::expr::context::Context;
+use assur_model::model::Link;
+use assur_syntax::document::{End, Statement};
+
+/// ``add the line `prismatic D: piston.C - ground.guide` ``: the only line that no pair takes, and the only link with one point that less
+/// than two pairs join.
+pub(crate) fn missing_guide(cx: &Context<'_>, name: &str) -> Option<String> {
+    let mech = &cx.builder.mech;
+    let lines = mech.links.iter().flat_map(|link| link.lines.iter().map(move |line| (link, &line.name)));
+    let mut free = lines.filter(|(link, line)| !is_taken(cx, &link.name, line));
+    let (guide, line) = free.next().filter(|_| free.next().is_none())?;
+    let pairs = |link: &Link| {
+        let joins =
+            |p: &&assur_model::model::Pair| p.kind.links().iter().any(|id| mech.link(*id).name == link.name);
+        mech.pairs.iter().filter(joins).count()
+    };
+    let mut loose = mech.links.iter().skip(1).filter(|link| link.name != guide.name && pairs(link) < 2);
+    let slider = loose.next().filter(|_| loose.next().is_none())?;
+    let [point] = slider.points.as_slice() else { return None };
+    Some(format!(
+        "add the line `prismatic {name}: {}.{} - {}.{line}`, if `{}` slides there",
+        slider.name, point.name, guide.name, slider.name
+    ))
+}
+
+/// Whether an end of a pair names this line of a link.
+fn is_taken(cx: &Context<'_>, link: &str, line: &str) -> bool {
+    let names = |end: &End| matches!(end, End::At(path) if path.head.node == link && path.tail.as_ref().is_some_and(|t| t.node == line));
+    cx.doc
+        .statements
+        .iter()
+        .any(|s| matches!(&s.node, Statement::Joint(joint) if joint.ends.iter().any(names)))
+}
