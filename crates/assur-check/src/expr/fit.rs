@@ -408,7 +408,12 @@ fn per_time(number: &Number, before: &str, at: Span) -> Option<Help> {
 
 /// A number without a unit where a quantity is expected.
 pub fn unit_missing(what: &str, want: Dimension, span: Span, used: Option<Span>, help: Help) -> Diagnosis {
-    Diagnosis::error("mech::unit::missing", format!("{what} needs a unit: it is {want}"))
+    let want = want.to_string();
+    // `an angle`, but not `a quantity in kg*m`
+    let kind =
+        want.strip_prefix("an ").or_else(|| want.strip_prefix("a ")).filter(|k| !k.starts_with("quantity"));
+    let lacks = kind.map_or_else(|| format!("a unit: it is {want}"), |kind| format!("a unit of {kind}"));
+    Diagnosis::error("mech::unit::missing", format!("{what} needs {lacks}"))
         .primary(span, "a number without a unit")
         .label(used, "used here")
         .help(help)

@@ -81,8 +81,8 @@ fn parts(
     if [first, second].iter().any(|profile| matches!(profile.shape, ProfileShape::Rim(_))) {
         cx.error(
             Diagnosis::error("mech::geometry::no_contact", "a contact with a designed cam cannot part yet")
-                .label(parts.span, "here")
-                .help("leave `parts` out: the motion ends where the contact would have to pull"),
+                .label(parts.span, "it parts")
+                .help("leave `parts` out: the motion ends where the contact would have to transmit tension"),
         );
         return None;
     }

@@ -69,7 +69,7 @@ pub(super) fn no_extreme(
             not_fully(model, (function, &pair.name), limit, gap)
         }
         NoExtreme::Monotonic => (
-            format!("the coordinate of `{}` does not move forth and back", pair.name),
+            format!("the coordinate of `{}` does not move back and forth", pair.name),
             "name the pair of a link that swings or slides between two ends".to_owned(),
         ),
     };
@@ -220,7 +220,7 @@ fn part_of_turn(model: &Model<'_>, turns: Option<f64>, two: bool) -> Diagnosis {
         .filter(|c| c.how.harmonic().is_some_and(|term| !two || !term.halves.is_multiple_of(2)));
     let mut spans: Vec<_> = terms.map(|c| c.span).collect();
     spans.dedup();
-    let labels = spans.into_iter().map(|span| label("asked here", span));
+    let labels = spans.into_iter().map(|span| label("this question", span));
     Diagnosis::error("mech::solve::no_sweep", format!("{wanted}, and {why}"))
         .labels(labels.chain(mechanism.drives.iter().map(|d| label("drive", d.span))))
         .help(format!("write a sweep over whole turns: `drive {name} = {range}`"))

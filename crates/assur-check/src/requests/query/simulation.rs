@@ -139,7 +139,9 @@ impl Context<'_> {
         if !parts && !self.doc.statements.iter().any(|s| is_stop(&s.node)) {
             let what = format!("`{name}` has no stop to rest on");
             let help = format!("add one, as in `stop {name} > 0 mm {{ restitution 0.7 }}`");
-            self.error(Diagnosis::error("mech::simulate::stop", what).primary(call.span, "here").help(help));
+            self.error(
+                Diagnosis::error("mech::simulate::stop", what).primary(call.span, "this question").help(help),
+            );
             return None;
         }
         Some(pair)
@@ -150,8 +152,7 @@ impl Context<'_> {
         self.arguments(call, 0, 0)?;
         if !self.is_steady() {
             let what = "`period()` without a steady motion".to_owned();
-            let help =
-                "ask for the motion that comes again, as in `simulate steady turn of crank`".to_owned();
+            let help = "ask for the motion that repeats, as in `simulate steady turn of crank`".to_owned();
             self.error(without_meaning(&what, &help, call.span));
             return None;
         }
