@@ -14,9 +14,11 @@ pub struct Problems {
 }
 
 impl Problems {
-    /// Reports an error or a warning.
+    /// Reports an error or a warning; the same at the same place once, as of what `all` gives to several pairs.
     pub fn error(&mut self, problem: impl Problem) {
-        self.found.push(problem);
+        if !self.found.has_alike(&problem) {
+            self.found.push(problem);
+        }
     }
 
     /// Whether one of them is an error.

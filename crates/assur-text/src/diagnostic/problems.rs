@@ -122,6 +122,16 @@ impl Problems {
         Self::of(self.items.iter().map(|p| Diagnosis::copied(p.as_ref()).of_row(row, span)))
     }
 
+    /// Whether the same is reported at the same place.
+    #[must_use]
+    pub fn has_alike(&self, problem: &dyn Problem) -> bool {
+        let place = primary(problem);
+        let text = || (problem.code().map(|code| code.to_string()), problem.to_string());
+        self.items.iter().any(|p| {
+            primary(p.as_ref()) == place && (p.code().map(|code| code.to_string()), p.to_string()) == text()
+        })
+    }
+
     /// Whether both have the same texts at the same places.
     #[must_use]
     pub fn is_alike(&self, other: &Self) -> bool {
