@@ -14,7 +14,7 @@ use assur_math::math::Vec2;
 use assur_model::model;
 use assur_model::model::{BinaryOp, DriveTarget, Expr, LinkId, PairId, PairKind, Positions, Value};
 use assur_syntax::document::{
-    Direction, Drive, DrivePosition, DriveRange, Name, Path, Sensed, Statement, Steps, Turn, Way,
+    Direction, Drive, DrivePosition, DriveRange, ExprKind, Name, Path, Sensed, Statement, Steps, Turn, Way,
 };
 use assur_text::diagnostic::{Diagnosis, Fix, Help};
 use assur_text::source::{Span, Spanned};
@@ -290,12 +290,35 @@ fn positions(
             }
             timed(cx, &values[0], moves, name).map(|value| Positions::List(vec![value]))
         }
+        Some(DrivePosition::Values(values)) if units_left_out(cx, values, moves, name) => None,
         Some(DrivePosition::Values(values)) => {
             let values = values.iter().map(|v| value(cx, v, moves, 0, name)).collect::<Vec<_>>();
             values.into_iter().collect::<Option<Vec<_>>>().map(Positions::List)
         }
         Some(DrivePosition::Range(course)) => range(cx, (drive, course, span), moves, name),
     }
+}
+
+/// Reports `10, 55, 80 deg`, once: the unit behind the last number is that of all.
+fn units_left_out(cx: &mut Context<'_>, values: &[Sensed], moves: Moves, name: &str) -> bool {
+    let number = |v: &Sensed| match &v.value.kind {
+        ExprKind::Number(n) => Some((n.text.clone(), n.unit.as_ref().map(|u| u.node.clone()))),
+        _ => None,
+    };
+    let Some(numbers) = values.iter().map(number).collect::<Option<Vec<_>>>() else { return false };
+    let [before @ .., (_, Some(unit))] = numbers.as_slice() else { return false };
+    if before.len() < 2 || moves == Moves::Freely || before.iter().any(|(_, unit)| unit.is_some()) {
+        return false;
+    }
+    let all = numbers.iter().map(|(text, _)| format!("{text} {unit}")).collect::<Vec<_>>().join(", ");
+    let span = values[0].value.span.to(values[values.len() - 1].value.span);
+    let message = format!("each position of `{name}` needs its unit");
+    cx.error(
+        Diagnosis::error("mech::unit::missing", message)
+            .primary(span, "numbers without a unit")
+            .help(Help::write(span, &[all])),
+    );
+    true
 }
 
 /// Reports numbers of a driven point, once: it has two coordinates.

@@ -289,7 +289,12 @@ impl Context<'_> {
             return None;
         }
         let events = self.names.events.keys().map(String::as_str).collect::<Vec<_>>();
-        let help = suggestion(&name.node, name.span, &events, "events").unwrap_or_else(|| {
+        let of_link = self.find_link(&name.node).map(|_| {
+            format!("write `simulate steady turn of {0}` for turns of `{0}`, or name an event", name.node)
+                .into()
+        });
+        let listed = || suggestion(&name.node, name.span, &events, "events");
+        let help = of_link.or_else(listed).unwrap_or_else(|| {
             format!("declare it, as in `event {}: omega(crank) = 0 rad/s`", name.node).into()
         });
         self.error(
