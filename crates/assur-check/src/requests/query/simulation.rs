@@ -285,7 +285,8 @@ impl Context<'_> {
         if let Some(index) = self.names.events.get_index_of(&name.node) {
             return Some(index);
         }
-        if self.names.bad.contains(&name.node) {
+        if self.names.bad.contains(&name.node) || !self.problems.reported.insert(("event", name.node.clone()))
+        {
             return None;
         }
         let events = self.names.events.keys().map(String::as_str).collect::<Vec<_>>();
