@@ -189,7 +189,7 @@ impl Analysis {
         let name = self.names.at(byte).filter(|name| !self.names.declarations(*name).is_empty());
         let name = name.ok_or_else(|| "there is no name here".to_owned())?;
         if self.written(name) == "ground" {
-            return Err("`ground` is a word of the language".to_owned());
+            return Err("`ground` is a keyword".to_owned());
         }
         Ok(name)
     }
@@ -203,7 +203,7 @@ impl Analysis {
     pub fn rename(&self, byte: usize, name: &str) -> Result<Vec<Edit>, String> {
         let places = self.names.together(self.renamable(byte)?);
         if is_reserved(name) {
-            return Err(format!("`{name}` is a word of the language and cannot be a name"));
+            return Err(format!("`{name}` is a keyword and cannot be a name"));
         }
         let edits = places.into_iter().map(|at| Edit::new(at, name)).collect::<Vec<_>>();
         let after = Self::of(Source::new(&*self.source.name, edited(&self.source.text, &edits)));

@@ -2,7 +2,7 @@
 
 use super::error::ExpectError;
 use super::turns;
-use super::undefined::{not_happened, truth, why_undefined, without_cycle};
+use super::undefined::{is_settled, not_happened, truth, why_undefined, without_cycle};
 use assur_model::model::{
     At, Comparison, Display, DriveId, Expect, Expr, Find, FindKind, Occasion, Query, Relation, Tolerance,
     Value,
@@ -80,6 +80,9 @@ impl<'a> Key<'a> {
             });
             let help = match &model.mechanism.simulation {
                 None if of_event => "let the drive go on for longer, or ask for what the condition compares",
+                Some(_) if is_settled(model, solution, expr) => {
+                    "change the value that the event compares, or the loads: a longer motion comes no nearer to it"
+                }
                 Some(_) => {
                     "let `simulate` end later, or ask for a part of the motion that exists and in which the quantity is defined: \
                      `max(…, after = …, before = …)`"

@@ -3,11 +3,13 @@
 use assur_model::model::{Bound, Expr, PairId, Query, Value};
 use assur_solve::answer::{Nearest, Swept};
 use assur_solve::message::undefined;
-use assur_solve::solve::{Model, PoseAnswers, Solution, compare};
+use assur_solve::solve::{Model, Pose, PoseAnswers, Solution, compare};
 use assur_text::units::Dimension;
 
 /// Digits in a sentence.
 const DIGITS: usize = 4;
+/// What changes by a lesser part between two printed instants has come to rest.
+const SETTLED: f64 = 1e-4;
 
 /// Whether a condition holds; `None` where that depends on a value that does not exist.
 pub(super) fn truth(view: &PoseAnswers<'_>, expr: &Expr) -> Option<bool> {
@@ -117,8 +119,11 @@ pub(super) fn not_happened(
     };
     let during = match (&solution.simulation, &solution.statics.swept) {
         (Some(run), _) => {
-            let unit = model.mechanism.display_of(Dimension::TIME).unit;
-            format!("until {} {unit}", model.mechanism.instant_text(run.end))
+            let missing = match printed(model, solution, event).filter(|_| happened == 0) {
+                Some(Printed { missing, at, .. }) => format!(": at {at} {missing} are missing"),
+                None => String::new(),
+            };
+            format!("until {}{missing}", instant(model, run.end))
         }
         (None, Some(swept)) => {
             let nearest = if happened == 0 { nearest(model, swept, event) } else { String::new() };
@@ -128,6 +133,65 @@ pub(super) fn not_happened(
         (None, None) => return None,
     };
     (happened < which).then(|| format!("the event `{name}` {times} {during}"))
+}
+
+fn instant(model: &Model<'_>, time: f64) -> String {
+    format!("{} {}", model.mechanism.instant_text(time), model.mechanism.display_of(Dimension::TIME).unit)
+}
+
+/// The printed instant of a motion at which an event comes nearest to happening.
+struct Printed {
+    at: String,
+    /// What is missing there, with its unit.
+    missing: String,
+    /// It comes no nearer at the end of the motion.
+    settled: bool,
+}
+
+fn printed(model: &Model<'_>, solution: &Solution, event: usize) -> Option<Printed> {
+    let asked = &model.mechanism.events[event];
+    let dimension = asked.dimension.filter(|d| *d != [0; 3] && asked.situation.is_none())?;
+    let value = |pose: &Pose| {
+        let solved = pose.outcome.as_ref().ok()?;
+        match solution.view(model, solved).value(&asked.value) {
+            Value::Scalar(x) if x.is_finite() => Some((x.abs(), solved.state.motion.time)),
+            _ => None,
+        }
+    };
+    let seen = solution.poses.iter().filter_map(value).collect::<Vec<_>>();
+    let (least, at) = seen.iter().copied().min_by(|a, b| a.0.total_cmp(&b.0)).filter(|(x, _)| *x > 0.0)?;
+    let missing = amount(model, dimension, least);
+    let settled = match seen.as_slice() {
+        [.., (a, _), (b, _)] => (a - b).abs() <= SETTLED * least && *b - least <= SETTLED * least,
+        _ => false,
+    };
+    let at = seen.last().filter(|_| settled).map_or(at, |(_, time)| *time);
+    Some(Printed { at: instant(model, at), missing, settled })
+}
+
+/// A number with its unit; 1/s is the unit of speeds of what turns.
+fn amount(model: &Model<'_>, [length, mass, time]: [i8; 3], value: f64) -> String {
+    let dimension = match [length, mass, time] {
+        [0, 0, -1] => Dimension::ANGULAR_VELOCITY,
+        _ => Dimension { length, mass, time, ..Dimension::NUMBER },
+    };
+    model.mechanism.display_of(dimension).text(Value::Scalar(value), DIGITS)
+}
+
+/// Whether a longer motion would not come nearer to an event that an expression names.
+pub(super) fn is_settled(model: &Model<'_>, solution: &Solution, expr: &Expr) -> bool {
+    if let Expr::Quantity(id) = expr {
+        let quantity = model.mechanism.quantities.get(id.index());
+        return quantity.is_some_and(|q| is_settled(model, solution, &q.expr));
+    }
+    let mut settled = false;
+    expr.queries(&mut |query| {
+        if let Query::EventTime(event, _) | Query::EventDrive(event, _) = query {
+            let happens = solution.statics.events.get(*event).is_some_and(|all| !all.is_empty());
+            settled |= !happens && printed(model, solution, *event).is_some_and(|p| p.settled);
+        }
+    });
+    settled
 }
 
 fn drive_value(model: &Model<'_>, swept: &Swept, value: f64) -> String {
@@ -151,9 +215,8 @@ fn nearest(model: &Model<'_>, swept: &Swept, event: usize) -> String {
         (Nearest::Missing(least, _), _) if !least.is_finite() => {
             ": its condition has no value there".to_owned()
         }
-        (Nearest::Missing(least, at), Some([length, mass, time])) if [length, mass, time] != [0; 3] => {
-            let dimension = Dimension { length, mass, time, ..Dimension::NUMBER };
-            let least = model.mechanism.display_of(dimension).text(Value::Scalar(least), DIGITS);
+        (Nearest::Missing(least, at), Some(dimension)) if dimension != [0; 3] => {
+            let least = amount(model, dimension, least);
             format!(": it comes nearest at {}, where {least} are missing", place(at))
         }
         // of an angle or a plain number, as of what has no one unit, the place alone is clear

@@ -1,13 +1,14 @@
 //! The rows of a file's own table of variants.
 
 use super::compile::{Compiled, compile_document};
+use super::followed::{is_long, most_written, too_many};
 use super::solved::Solved;
 use super::variant_solver::VariantSolver;
 use crate::exercise::mismatches;
 use assur_check as check;
 use assur_check::{FileRow, Overrides, RowColumn};
-use assur_solve::message::failures;
-use assur_solve::solve::{Method, refusals};
+use assur_solve::message::{self, failures};
+use assur_solve::solve::{Method, Model, not_chosen, refusals};
 use assur_syntax::document::Document;
 use assur_text::diagnostic::{Diagnosis, Problems};
 use assur_text::source::Source;
@@ -130,10 +131,22 @@ pub fn look_at(source: &Source, overrides: &Overrides) -> (Option<Compiled>, Pro
             let (compiled, mut problems) = compile_document(source, &document, found, overrides);
             if let Some(compiled) = compiled.as_ref().filter(|_| !problems.has_errors()) {
                 problems.extend(refused(compiled));
+                if !problems.has_errors() {
+                    problems.extend(known_early(&compiled.model()));
+                }
             }
             (compiled, problems)
         }
     }
+}
+
+/// What `solve` would find at once: that `assemble` is missing, and more positions than a table has.
+fn known_early(model: &Model<'_>) -> Vec<Diagnosis> {
+    let mut found =
+        not_chosen(model).map(|failure| message::failure(model, &failure)).into_iter().collect::<Vec<_>>();
+    let positions = is_long(model).then(|| too_many(model, most_written(model)).as_warning());
+    found.extend(positions);
+    found
 }
 
 /// A row of a file in words: `row 3 (r = 120 mm)`, `row 3, variant 7 (r = 120 mm)`.

@@ -74,6 +74,11 @@ pub fn most_positions(model: &Model<'_>) -> usize {
 /// Whether a file has, or may have, more positions than are kept at once.
 #[must_use]
 pub fn is_long(model: &Model<'_>) -> bool {
+    most_written(model) > most_positions(model)
+}
+
+/// How many positions a file has, or may have.
+pub(super) fn most_written(model: &Model<'_>) -> usize {
     let mechanism = model.mechanism;
     let swept = mechanism.drives.iter().map(|d| match &d.positions {
         Positions::None => 1,
@@ -82,7 +87,20 @@ pub fn is_long(model: &Model<'_>) -> bool {
         Positions::Range { steps, .. } => steps + 1,
     });
     let beside = mechanism.poses.len() + mechanism.expects.len();
-    swept.max().unwrap_or(1) + beside > most_positions(model)
+    swept.max().unwrap_or(1) + beside
+}
+
+/// More positions than can be kept.
+pub(super) fn too_many(model: &Model<'_>, positions: usize) -> Diagnosis {
+    let most = most_positions(model);
+    let many =
+        format!("there are {positions} positions, but at most {most} of this mechanism can be kept at once");
+    Diagnosis::error("mech::request::too_many_positions", many)
+        .labels(model.mechanism.drives.iter().map(|d| LabeledSpan::underline(d.span)))
+        .help(
+            "print one position after another, with `assur solve FILE --format csv` or `--format jsonl`, or \
+             take fewer steps",
+        )
 }
 
 /// Solves all positions of a file. Without something that is done with each, all of them are kept, or it is an error that
@@ -108,16 +126,7 @@ pub fn followed(
     let forgets = sink.as_ref().is_some_and(|sink| sink.forgets()) && model.mechanism.expects.is_empty();
     let keeps_all = few && !forgets;
     if !few && (sink.is_none() || names_all(model.mechanism, following.swept())) {
-        let many = format!(
-            "there are {positions} positions, but at most {most} of this mechanism can be kept at once"
-        );
-        let error = Diagnosis::error("mech::request::too_many_positions", many)
-            .labels(model.mechanism.drives.iter().map(|d| LabeledSpan::underline(d.span)))
-            .help(
-                "print one position after another, with `assur solve FILE --format csv` or `--format jsonl`, or \
-                 take fewer steps",
-            );
-        return Err(Problems::of([error]));
+        return Err(Problems::of([too_many(model, positions)]));
     }
     let simulation = following.simulation().cloned();
     let mut head = Solution { statics: following.statics().clone(), simulation, ..Solution::default() };

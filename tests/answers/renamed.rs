@@ -71,13 +71,13 @@ fn a_name_that_cannot_be_is_refused_in_the_words_of_check() {
         ("A-B", "A", "`A` is declared twice"),
         ("link crank", "ground", "`ground` is declared twice"),
         ("given r", "а", "two different names look like `а`"),
-        ("given r", "cw", "`cw` is a word of the language and cannot be a name"),
+        ("given r", "cw", "`cw` is a keyword and cannot be a name"),
         ("given r", "5 mm", "cannot read this `given`: expected a name"),
         ("given r", "", "cannot read this `given`: expected a name"),
         ("given r", "A.B", "cannot read this `given`: expected `=`"),
         ("given r", "x // ", "cannot read this `given`: expected `=`"),
         ("link", "x", "there is no name here"),
-        ("ground", "x", "`ground` is a word of the language"),
+        ("ground", "x", "`ground` is a keyword"),
     ] {
         let byte = text.find(word).unwrap() + word.len() - 1;
         assert_eq!(analysis.rename(byte, name), Err(why.to_owned()), "{word} → {name}");

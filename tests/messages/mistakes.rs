@@ -149,6 +149,17 @@ fn a_hundred_mistakes() {
     assert_eq!(out.lines().count(), before.lines().count());
 }
 
+/// What follows from a slip is not reported.
+#[test]
+fn one_cause_is_one_message() {
+    let found = mistakes().into_iter().filter(|m| m.kind == "once").map(|m| {
+        let errors = said(&m.text).iter().filter(|d| d.severity == "error").count();
+        (m.name, errors)
+    });
+    let several = found.filter(|(_, errors)| *errors != 1).collect::<Vec<_>>();
+    assert!(several.is_empty() && mistakes().iter().any(|m| m.kind == "once"), "{several:#?}");
+}
+
 #[test]
 fn their_scores() {
     let all = mistakes();

@@ -108,7 +108,7 @@ fn notes_that_lead_to_what_is_missing() {
         assert!(fixed.is_empty(), "{case}: {fixed:#?}");
     }
     let found = all(&text("use3/messages/bevel-differential"));
-    assert!(said(&found).contains("`left` and `right` turn alike"), "{found:#?}");
+    assert!(said(&found).contains("`left` and `right` turn in the same direction"), "{found:#?}");
     // its axial force is that of the load too: see "Reactions" of the language
     assert!(all(&text("use3/messages/truss-load-on-a-pin")).is_empty());
 }

@@ -377,7 +377,7 @@ fn names_lead_to_their_places() {
     assert_eq!(applied(text, &edits), renamed);
     assert_eq!(ask("rename", 3, 9, &json!({ "newName": "crank" })), "`crank` is declared twice");
     for word in ["at", "and", "in", "module"] {
-        let refused = format!("`{word}` is a word of the language and cannot be a name");
+        let refused = format!("`{word}` is a keyword and cannot be a name");
         assert_eq!(ask("rename", 3, 9, &json!({ "newName": word })), refused);
         assert_eq!(ask("rename", 2, 5, &json!({ "newName": word })), refused);
     }

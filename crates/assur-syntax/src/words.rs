@@ -97,6 +97,7 @@ pub(super) fn list(mut expected: Vec<Expected>) -> String {
     said.truncate(6);
     match said.pop() {
         None => "this does not belong here".to_owned(),
+        Some(only) if said.is_empty() && only == say(Expected::End) => "it should end here".to_owned(),
         Some(only) if said.is_empty() => format!("expected {only}"),
         Some(last) => format!("expected {} or {last}", said.join(", ")),
     }
@@ -108,7 +109,7 @@ fn say(expected: Expected) -> String {
         Expected::Name => "a name".to_owned(),
         Expected::Kind(kind) => kind.to_owned(),
         Expected::Operator => "an operator".to_owned(),
-        Expected::End => "the end of it".to_owned(),
+        Expected::End => "its end".to_owned(),
     }
 }
 

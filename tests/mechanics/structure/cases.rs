@@ -69,6 +69,25 @@ const CASES: &[Case] = &[
     ),
     ("wheel-pin-lost", "underconstrained", &["  revolute A: ground - one"]),
     ("wrong-end", "unbalanced", &["write `revolute C: rod - arm` in place of `revolute C`"]),
+    ("brace-not-named", "overconstrained", &["leave out link `brace` with its pairs"]),
+    ("surplus-pin-not-named", "overconstrained", &["leave out `revolute Z` or `revolute F`"]),
+    ("surplus-pin-2", "overconstrained", &["leave out `revolute Z`, or leave out `revolute B`"]),
+    ("surplus-pin-of-two-links", "overconstrained", &["`revolute Z` cannot hold", "leave out `revolute Z`"]),
+    ("pin-moved-to-its-neighbour", "unbalanced", &["write `revolute F: rod - out` in place of `revolute F`"]),
+    ("pin-for-a-slide", "unbalanced", &["block.B - lever.slot` in place of `revolute s`"]),
+    ("five-bar-one-drive", "underconstrained", &["`b`, `c` and `d` can still move with 1 freedom"]),
+    ("planet-without-its-sun", "underconstrained", &["  mesh k: s - p"]),
+    ("roller-without-its-pin", "underconstrained", &["  revolute T: tappet - roller"]),
+    ("truss-without-its-roller", "underconstrained", &["F = 3·5 − 2·7 = 1", "with 1 freedom"]),
+    ("wedge-without-a-face", "underconstrained", &["`block` can still move with 1 freedom"]),
+    (
+        "line-on-line-2",
+        "not_parallel",
+        &["at 40 deg (by `a`), `wall` of `ground` at 90 deg", "`line up through B along 90 deg` in `low`"],
+    ),
+    ("line-on-line-angle-accepted", "not_parallel", &["write `line h through C along 90 deg` in `cross`"]),
+    ("wedge-5-degrees-apart", "not_parallel", &["write `line under through B along 20 deg` in `block`"]),
+    ("held-twice-help-pasted", "not_parallel", &["write `line face through B along -70 deg` in `block`"]),
     ("four-bar-pinned-again", "overconstrained", &["leave out `revolute K`, or leave out `revolute B` or"]),
 ];
 
@@ -77,6 +96,7 @@ const OTHERS: &[(&str, Option<&str>)] = &[
     ("09-watt-pair-doubled", Some("mech::geometry::stated_twice")),
     ("09b-watt-pair-doubled", Some("mech::geometry::joined_twice")),
     ("12-free-roller", None),
+    ("held-twice-help", Some("mech::geometry::held_twice")),
     ("13-two-guides-same-slider", Some("mech::geometry::held_twice")),
     ("21-balance-where-known", None),
     ("wrong-end-accepted", Some("mech::determinacy::two_letters")),
@@ -114,6 +134,13 @@ fn what_was_right() {
         let found = problems(name);
         assert_eq!(found.first().map(|f| f.0.as_str()), *code, "{name}: {found:?}");
     }
+}
+
+#[test]
+fn a_line_that_holds_an_angle_again_fits_beside_the_first() {
+    let (_, said) = &problems("held-twice-help")[0];
+    assert!(said.contains("`line face through B along -70 deg`"), "{said}");
+    assert!(said.contains("`prismatic c: block.face - wedge.top`"), "{said}");
 }
 
 #[test]

@@ -140,7 +140,7 @@ fn members<'a>(cx: &mut Context<'_>, cam: &'a document::Cam) -> Members<'a> {
 }
 
 fn incomplete<T>(cx: &mut Context<'_>, message: String, help: String, span: Span) -> Option<T> {
-    cx.error(Diagnosis::error("mech::geometry::incomplete", message).label(span, "here").help(help));
+    cx.error(Diagnosis::error("mech::geometry::incomplete", message).label(span, "this cam").help(help));
     None
 }
 

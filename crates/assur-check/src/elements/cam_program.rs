@@ -52,7 +52,7 @@ pub(crate) fn curve(cx: &mut Context<'_>, name: &Name, way: Dimension) -> Option
 
 fn refused<T>(cx: &mut Context<'_>, name: &Name, message: String, help: String) -> Option<T> {
     let message = format!("curve `{}` cannot be the lift of a cam: {message}", name.node);
-    cx.error(Diagnosis::error("mech::cam::table", message).primary(name.span, "here").help(help));
+    cx.error(Diagnosis::error("mech::cam::table", message).primary(name.span, "this curve").help(help));
     None
 }
 
@@ -187,13 +187,13 @@ impl Motion<'_> {
                 "let the first row have the lift {}, or put a phase before it that leads there",
                 shown(self.lift)
             );
-            cx.error(Diagnosis::error("mech::cam::table", message).primary(span, "here").help(help));
+            cx.error(Diagnosis::error("mech::cam::table", message).primary(span, "the first row").help(help));
             return None;
         }
         if least < -SAME * self.scale {
             let message = format!("the lift of curve `{}` goes down to {}", curve.name, shown(least));
             let help = format!("add {} to every lift: the base circle is the least radius", shown(-least));
-            cx.error(Diagnosis::error("mech::cam::table", message).primary(span, "here").help(help));
+            cx.error(Diagnosis::error("mech::cam::table", message).primary(span, "this curve").help(help));
             return None;
         }
         let low = SAME * self.scale;
@@ -235,7 +235,7 @@ fn not_back(cx: &mut Context<'_>, motion: &Motion<'_>, given: &[Part], first: f6
              of {first}"
         );
         let help = format!("let the motion end with the lift it begins with, {first}");
-        cx.error(Diagnosis::error("mech::cam::table", message).primary(span, "here").help(help));
+        cx.error(Diagnosis::error("mech::cam::table", message).primary(span, "this cam").help(help));
         return;
     }
     let sum = |kind: PhaseKind| {

@@ -41,7 +41,8 @@ pub(crate) fn genevas(cx: &mut Context<'_>) {
 
 fn refused<T>(cx: &mut Context<'_>, message: String, help: String, span: Span) -> Option<T> {
     let has_number = help.starts_with("write `slots ");
-    let diagnosis = Diagnosis::error("mech::geometry::geneva", message).primary(span, "here").help(help);
+    let diagnosis =
+        Diagnosis::error("mech::geometry::geneva", message).primary(span, "this Geneva wheel").help(help);
     cx.error(if has_number { diagnosis.quoted(span) } else { diagnosis });
     None
 }

@@ -6,7 +6,7 @@ use crate::output::{hinges::Builder, problems::Problems};
 use crate::statements::{walk, written::written};
 use crate::values::{definition::Settled, replace, store::Values, typed::Typed, unit_use::display_in};
 use assur_model::model::{self, Display, Mechanism, NamedValue};
-use assur_syntax::document::{Document, Expr, ExprKind};
+use assur_syntax::document::{Document, Expr, ExprKind, Member, Statement};
 use assur_text::diagnostic::{self, Diagnosis, Problem};
 use assur_text::source::Span;
 use indexmap::IndexSet;
@@ -51,8 +51,35 @@ impl<'a> Context<'a> {
     pub fn finish(mut self) -> (Option<Mechanism>, diagnostic::Problems) {
         self.builder.mech.displays = self.values.displays();
         let fine = !self.problems.has_errors();
+        if !fine && (self.problems.lacks_pair() || !self.pairs_complete()) {
+            self.problems.drop_followers(OF_LOST_PAIRS, has_unread(self.doc));
+        }
         (fine.then_some(self.builder.mech), self.problems.into_found())
     }
+}
+
+/// What is wrong where a pair is missing, which is reported.
+const OF_LOST_PAIRS: &[&str] = &[
+    "mech::geometry::no_guide",
+    "mech::geometry::mass_without_place",
+    "mech::geometry::geneva",
+    "mech::cam::other_follower",
+    "mech::train::no_carrier",
+    "mech::request::bends",
+    "mech::simulate::no_meaning",
+];
+
+/// Whether something in the document could not be read, which is reported.
+fn has_unread(doc: &Document) -> bool {
+    doc.statements.iter().any(|statement| {
+        let body = match &statement.node {
+            Statement::Bad(_) => return true,
+            Statement::Ground(ground) => &ground.body,
+            Statement::Link(link) => &link.body,
+            _ => return false,
+        };
+        body.iter().any(|member| matches!(member.node, Member::Bad(_)))
+    })
 }
 
 // Expressions with their quantities written out.

@@ -7,11 +7,13 @@ use crate::names::suggestion::{not_declared, suggestion, wrong_kind};
 use crate::statements::comma::decimal_comma;
 use crate::values::fold;
 use crate::values::store::CheckedCurve;
-use crate::values::typed::{Dim, Type, Typed};
+use crate::values::typed::{Dim, Type, Typed, phrase};
 use crate::values::unit_use::display_in;
 use assur_math::math::{Between, Beyond, TableFault, TableFunction};
 use assur_model::model::{Curve, CurvePart, Value};
-use assur_syntax::document::{self, Cell, Column, CurveBetween, CurveBeyond, Expr, ExprKind, Name, Row};
+use assur_syntax::document::{
+    self, Cell, Column, CurveBetween, CurveBeyond, Expr, ExprKind, Name, Row, Statement,
+};
 use assur_text::diagnostic::Diagnosis;
 use assur_text::diagnostic::Fix;
 use assur_text::language::Function;
@@ -98,7 +100,7 @@ fn columns(cx: &mut Context<'_>, curve: &document::Curve) -> Option<(Unit, Unit)
                         one curve per value";
             cx.error(
                 Diagnosis::error("mech::curve::table", format!("curve `{}`: {message}", curve.name.node))
-                    .primary(span, "here")
+                    .primary(span, "this header")
                     .help(help),
             );
         }
@@ -112,17 +114,22 @@ fn columns(cx: &mut Context<'_>, curve: &document::Curve) -> Option<(Unit, Unit)
     Some((x?, y?))
 }
 
+/// `1 number`, `3 numbers`
+fn numbers(count: usize) -> String {
+    format!("{count} number{}", if count == 1 { "" } else { "s" })
+}
+
 /// The numbers as written.
 fn points(cx: &mut Context<'_>, curve: &document::Curve) -> Option<Vec<(f64, f64)>> {
     let mut points = Vec::new();
     for row in &curve.table.rows {
         let [x, y] = row.cells.as_slice() else {
-            let message = format!("this row has {} numbers, not two", row.cells.len());
+            let message = format!("this row has {}, not two", numbers(row.cells.len()));
             let help = decimal_comma(2, row)
                 .unwrap_or_else(|| "a row is an argument and its value, as in `90, 4.2`".into());
             cx.error(
                 Diagnosis::error("mech::curve::table", format!("curve `{}`: {message}", curve.name.node))
-                    .primary(row.span, "here")
+                    .primary(row.span, "this row")
                     .help(help),
             );
             return None;
@@ -137,7 +144,7 @@ fn points(cx: &mut Context<'_>, curve: &document::Curve) -> Option<Vec<(f64, f64
                     .to_owned();
                 cx.error(
                     Diagnosis::error("mech::curve::table", format!("curve `{}`: {message}", curve.name.node))
-                        .primary(span, "here")
+                        .primary(span, "this word")
                         .help(help),
                 );
                 return None;
@@ -160,13 +167,13 @@ fn wrong(cx: &mut Context<'_>, curve: &document::Curve, fault: TableFault) {
             let s = if rows.len() == 1 { "" } else { "s" };
             let message = format!("curve `{name}`: it has {} row{s}, but needs two", rows.len());
             Diagnosis::error("mech::curve::table", message)
-                .primary(span, "here")
+                .primary(span, "too few")
                 .help("add rows of argument and value, each on a line of its own")
         }
         TableFault::TooLarge => {
             let message = format!("curve `{name}`: its numbers are too large, or too close together");
             Diagnosis::error("mech::curve::table", message)
-                .primary(curve.name.span, "here")
+                .primary(curve.name.span, "this curve")
                 .help("choose other units in its header")
         }
         TableFault::Order(i) => {
@@ -201,6 +208,36 @@ impl Context<'_> {
         self.names.quantities.get(name).is_some_and(|d| curve_of(d.what).is_some())
     }
 
+    /// Reports a header without units, once, where the curve is asked at a quantity that has one.
+    fn header_without_units(&mut self, name: &Name, argument: &Typed) -> bool {
+        let found = argument.ty.dimension();
+        let header = self.doc.statements.iter().find_map(|s| match &s.node {
+            Statement::Curve(curve) if curve.name.node == name.node => Some(curve.table.columns.as_slice()),
+            _ => None,
+        });
+        let Some([x, y]) = header else { return false };
+        if found == Dimension::NUMBER || argument.pending || x.unit.is_some() {
+            return false;
+        }
+        if self.problems.reported.insert(("header", name.node.clone())) {
+            let (first, second) = (&x.name.node, &y.name.node);
+            let unit = self.values.usual_unit(found);
+            let value = y.unit.as_ref().map_or_else(|| second.clone(), |u| format!("{second} [{}]", u.node));
+            let more = if y.unit.is_none() { ", and a unit for its values" } else { "" };
+            let help = format!("write `{first} [{unit}], {value}`{more}");
+            self.error(
+                Diagnosis::error(
+                    "mech::unit::missing",
+                    format!("the argument `{first}` of curve `{}` needs a unit of angle", name.node)
+                        .replace("angle", phrase(found).trim_start_matches("an ").trim_start_matches("a ")),
+                )
+                .primary(x.name.span, "without a unit")
+                .help(help),
+            );
+        }
+        true
+    }
+
     /// A call of a curve.
     pub(crate) fn curve(&mut self, call: Call<'_>, part: CurvePart) -> Option<Typed> {
         self.names.note_quantity(call.name);
@@ -209,7 +246,11 @@ impl Context<'_> {
         let checked = self.values.curves.get(&call.name.node)?.clone();
         self.builder.mech.has_curves = true;
         let what = format!("the argument of curve `{}`", call.name.node);
-        let t = self.fit(argument?, checked.argument, &what, args[0])?;
+        let argument = argument?;
+        if checked.argument == Dimension::NUMBER && self.header_without_units(call.name, &argument) {
+            return None;
+        }
+        let t = self.fit(argument, checked.argument, &what, args[0])?;
         let curve = &checked.curve;
         if let Some(Value::Scalar(x)) = t.value()
             && !curve.function.covers(x)

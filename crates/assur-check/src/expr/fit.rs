@@ -79,8 +79,21 @@ impl Context<'_> {
             .or_else(|| self.by_turn(want, found, expr))
             .or_else(|| self.column_without_unit(want, found, expr))
             .or_else(|| self.in_its_place(want, found, &what, expr));
-        self.error(unit_mismatch(&what, &phrase(want), &phrase(found), span, help));
+        let mismatch = unit_mismatch(&what, &phrase(want), &phrase(found), span, help);
+        let given = self.wrong_definition(expr);
+        self.error(match given {
+            Some(at) if !(at.start <= span.start && span.end <= at.end) => mismatch.label(at, "given here"),
+            _ => mismatch,
+        });
         false
+    }
+
+    /// Where a name that does not fit is defined. What does not fit because of it elsewhere is no second mistake.
+    fn wrong_definition(&mut self, expr: &Expr) -> Option<Span> {
+        let ExprKind::Name(name) = &expr.kind else { return None };
+        let at = self.number_behind(name)?.value.span;
+        self.values.definitions.settled.insert(name.clone(), Settled::Failed);
+        Some(at)
     }
 
     /// `omega(rotor)` for `angle(rotor)`: the derivative that has the dimension.
@@ -395,7 +408,12 @@ fn per_time(number: &Number, before: &str, at: Span) -> Option<Help> {
 
 /// A number without a unit where a quantity is expected.
 pub fn unit_missing(what: &str, want: Dimension, span: Span, used: Option<Span>, help: Help) -> Diagnosis {
-    Diagnosis::error("mech::unit::missing", format!("{what} needs a unit: it is {want}"))
+    let want = want.to_string();
+    // `an angle`, but not `a quantity in kg*m`
+    let kind =
+        want.strip_prefix("an ").or_else(|| want.strip_prefix("a ")).filter(|k| !k.starts_with("quantity"));
+    let lacks = kind.map_or_else(|| format!("a unit: it is {want}"), |kind| format!("a unit of {kind}"));
+    Diagnosis::error("mech::unit::missing", format!("{what} needs {lacks}"))
         .primary(span, "a number without a unit")
         .label(used, "used here")
         .help(help)

@@ -8,6 +8,9 @@ use assur_text::diagnostic::{Diagnosis, Help};
 use assur_text::source::{Span, Spanned};
 use assur_text::units::{Dimension, Unit, factors, lookup};
 
+/// What is counted has no unit.
+const COUNTED: &[&str] = &["teeth", "tooth", "steps", "slots", "pieces", "pcs", "times"];
+
 impl Context<'_> {
     /// A number with its unit.
     pub(crate) fn literal(&mut self, number: &Number) -> Option<Typed> {
@@ -33,7 +36,10 @@ impl Context<'_> {
                     let part = Span::new(word.span.start + start, word.span.start + end.max(start + 1));
                     let why = error.to_string();
                     let nearest = error.nearest();
+                    let counted = COUNTED.contains(&word.node.as_str());
                     let help = (!nearest.is_empty()).then(|| Help::write(word.span, nearest));
+                    let help =
+                        if counted { Some("write the number alone: it is counted".into()) } else { help };
                     // `mn` may be `MN` or `mN`, `Nm` is `N*m`
                     let plain = |unit: &str| unit.chars().filter(|c| c.is_alphanumeric()).collect::<String>();
                     let is_meant = nearest.iter().all(|unit| plain(unit) == plain(&word.node));

@@ -23,6 +23,10 @@ const USUAL: &[(&str, &str)] = &[
     ("coefficient", "friction"),
     ("friction_coefficient", "friction"),
     ("mu0", "static_friction"),
+    ("friction_static", "static_friction"),
+    ("turns", "turning"),
+    ("sense", "turning"),
+    ("max_torque", "capacity"),
     ("k", "stiffness"),
     ("c", "stiffness"),
     ("rate", "stiffness"),
@@ -177,6 +181,11 @@ pub(crate) fn read_beside(
 ) -> Option<Vec<Read>> {
     let mut all = Some(Vec::<Read>::new());
     for (i, property) in properties.iter().enumerate() {
+        if property.name.node.is_empty() {
+            // it could not be read, which is reported
+            all = None;
+            continue;
+        }
         if let Some(first) = properties[..i].iter().find(|p| p.name.node == property.name.node) {
             let what = format!("`{}`", property.name.node);
             cx.error(given_twice(&what, property.span, first.span));

@@ -5,7 +5,7 @@ use crate::expr::{
     fit::{direction_of_two, unit_mismatch},
     results::Sign,
 };
-use crate::statements::written::written;
+use crate::statements::{walk::parts, written::written};
 use crate::values::{
     fold,
     typed::{Dim, Type, Typed, phrase},
@@ -15,7 +15,7 @@ use assur_syntax::document::{BinaryOp, CompareOp, Expr, ExprKind, Name, UnaryOp}
 use assur_text::diagnostic::{Diagnosis, Help};
 use assur_text::language::Function;
 use assur_text::source::{Span, Spanned};
-use assur_text::units::{Dimension, Kind};
+use assur_text::units::{self, Dimension, Kind};
 
 /// The most operands in a row.
 const MOST: usize = 500;
@@ -46,10 +46,37 @@ impl Context<'_> {
             ExprKind::Unary(op, inner) => self.unary(op.node, inner, sign),
             ExprKind::Chain(_, rest) if rest.len() >= MOST => self.too_long(rest.len(), expr.span),
             ExprKind::Compare(_, rest) if rest.len() >= MOST => self.too_long(rest.len(), expr.span),
+            ExprKind::Chain(..) | ExprKind::Power(..) if self.unit_alone(expr) => None,
             ExprKind::Chain(first, rest) => self.chain(first, rest, expr.span, sign),
             ExprKind::Power(base, exponent) => self.raised(base, exponent, expr.span),
             ExprKind::Compare(first, rest) => self.comparison(first, rest),
         }
+    }
+
+    /// Reports `kg*m^2` without a number before it.
+    fn unit_alone(&mut self, expr: &Expr) -> bool {
+        let Some(unit) = written(expr).filter(|text| units::lookup(&text.replace(' ', "")).is_ok()) else {
+            return false;
+        };
+        let mut names = Vec::new();
+        parts(expr, &mut |part| {
+            if let ExprKind::Name(name) = &part.kind {
+                names.push(name.clone());
+            }
+        });
+        let known = |name: &String| {
+            self.names.quantities.contains_key(name) || self.names.bad.contains(name) || !units::is_unit(name)
+        };
+        if names.is_empty() || names.iter().any(known) {
+            return false;
+        }
+        let unit = unit.replace(' ', "");
+        self.error(
+            Diagnosis::error("mech::unit::no_number", format!("a number is missing before `{unit}`"))
+                .primary(expr.span, "a unit alone")
+                .help(format!("write `1 {unit}`, with its own number")),
+        );
+        true
     }
 
     fn too_long(&mut self, count: usize, span: Span) -> Option<Typed> {

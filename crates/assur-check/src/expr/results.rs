@@ -3,7 +3,7 @@
 use crate::expr::context::Context;
 use crate::statements::written::written;
 use crate::values::typed::Typed;
-use assur_syntax::document::{Arg, Expr, ExprKind, Name};
+use assur_syntax::document::{Arg, BinaryOp, Expr, ExprKind, Name};
 use assur_text::diagnostic::Diagnosis;
 use assur_text::source::Span;
 
@@ -69,8 +69,12 @@ impl Context<'_> {
             (3, 3) => "three arguments",
             _ => "other arguments",
         };
-        let (function, found, usage) =
-            (call.name.node.clone(), call.args.len(), (self.results.usage)(self, call));
+        let function = call.name.node.clone();
+        let found = call.args.len();
+        let usage = match apart(call) {
+            Some(both) if least == 2 => format!("{function}({both})"),
+            _ => (self.results.usage)(self, call),
+        };
         self.error(argument_count(&function, takes, found, call.span, &usage));
         None
     }
@@ -80,6 +84,15 @@ impl Context<'_> {
         let (function, usage) = (call.name.node.clone(), (self.results.usage)(self, call));
         self.error(wrong_argument(&function, wanted, span, &usage));
     }
+}
+
+/// `B, E` for the one argument `B - E`.
+fn apart(call: Call<'_>) -> Option<String> {
+    let [Arg { value: Expr { kind: ExprKind::Chain(first, rest), .. }, .. }] = call.args else { return None };
+    let [(op, second)] = rest.as_slice() else { return None };
+    let is_name = |e: &Expr| matches!(e.kind, ExprKind::Name(_) | ExprKind::Member(..));
+    let both = op.node == BinaryOp::Subtract && is_name(first) && is_name(second);
+    both.then(|| Some(format!("{}, {}", written(first)?, written(second)?))).flatten()
 }
 
 /// An argument of the wrong kind.

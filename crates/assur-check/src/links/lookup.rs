@@ -1,6 +1,7 @@
 //! From names to ids and places.
 
 use crate::expr::context::Context;
+use crate::links::missing_guide::missing_guide;
 use crate::names::{
     declared::{Inside, ThingKind},
     suggestion::{not_declared, suggestion, wrong_kind},
@@ -216,7 +217,9 @@ impl Context<'_> {
             return;
         }
         let is_silent = self.names.bad.contains(&name.node) || self.problems.twice.contains("thing");
-        if is_silent || !self.problems.reported.insert((kind, name.node.clone())) {
+        // one name, whatever it is taken for
+        let is_new = self.problems.reported.insert(("thing", name.node.clone()));
+        if is_silent || !self.problems.reported.insert((kind, name.node.clone())) || !is_new {
             return;
         }
         let ground = (kind == "link").then_some("ground");
@@ -224,8 +227,11 @@ impl Context<'_> {
         let all = ground.into_iter().chain(all).collect::<Vec<_>>();
         let near = !did_you_mean(&name.node, all.iter().copied()).is_empty();
         let mesh = if kind == "pair" && !near { missing_mesh(self, &name.node) } else { None };
-        let listed = || suggestion(&name.node, name.span, &all, &format!("{kind}s"));
-        let help = mesh.map(Help::from).or_else(listed);
+        let kinds = kind.replace(", ", "s, ").replace(" or ", "s or ") + "s";
+        let listed = || suggestion(&name.node, name.span, &all, &kinds);
+        let wants_pair = kind.split(" or ").any(|kind| kind == "pair");
+        let guide = if wants_pair && !near { missing_guide(self, &name.node) } else { None };
+        let help = mesh.or(guide).map(Help::from).or_else(listed);
         let (name, span) = (name.node.clone(), name.span);
         self.error(not_declared(kind, &name, None, span, help));
     }

@@ -3,4 +3,5 @@
 pub mod fitting;
 pub mod link;
 pub mod lookup;
+mod missing_guide;
 pub mod point;

@@ -9,7 +9,8 @@ use crate::values::format_value::format_value_like;
 use assur_math::math::Vec2;
 use assur_model::model::{LinkId, Point};
 use assur_syntax::document::{Bar, Body, Expr, ExprKind, Member, Name, PointFrom, Side};
-use assur_text::diagnostic::Diagnosis;
+use assur_text::diagnostic::{Diagnosis, did_you_mean};
+use assur_text::language::{Place, words_of};
 use assur_text::source::Span;
 use assur_text::units::Dimension;
 
@@ -36,7 +37,8 @@ pub(crate) fn points<'a>(
             Member::Point(p) if !found.contains_key(p.name.node.as_str()) => {
                 let what = format!("the position of point `{}`", p.name.node);
                 // A number behind a name is reported where it is read: `wieght 21 N`.
-                let number = matches!(&p.at.kind, ExprKind::Number(n) if n.value != 0.0);
+                let is_word = || !did_you_mean(&p.name.node, words_of(Place::Member)).is_empty();
+                let number = matches!(&p.at.kind, ExprKind::Number(n) if n.value != 0.0 || n.unit.is_some() && is_word());
                 let at = if number { None } else { cx.vector_constant(&p.at, &Want::LENGTH, &what) };
                 found.insert(&p.name.node, at);
             }

@@ -89,7 +89,7 @@ fn value(cx: &mut Context<'_>, load: &Load, source: &document::Expr) -> Option<E
     let read = cx.read(source)?;
     let is_other = |dim| [Dimension::FORCE, Dimension::NUMBER].map(Dim::Of).contains(&dim);
     if matches!(read.ty, Type::Number(dim) | Type::Vector(dim) if is_other(dim)) {
-        let message = format!("{} is along a segment, and its value is no force per length", described(load));
+        let message = format!("{} is distributed: its value must be a force per length", described(load));
         form(cx, message, "write the force per length, as in `3 kN/m down`, or give one point", source.span);
         return None;
     }

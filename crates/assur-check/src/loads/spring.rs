@@ -35,7 +35,7 @@ pub(crate) fn springs(cx: &mut Context<'_>) {
 
 fn spring(cx: &mut Context<'_>, spring: &Spring, ends: [&Path; 2]) -> Option<model::Spring> {
     let properties = read(cx, "a spring", &spring.properties, SPRING);
-    let [from, to] = ends.map(|end| link_point(cx, end, "a spring"));
+    let [from, to] = ends.map(|end| link_point(cx, end, "the end of a spring"));
     let (properties, from, to) = (properties?, from?, to?);
     if from.0 == to.0 {
         cx.error(joined_with_itself(

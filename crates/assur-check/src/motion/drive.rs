@@ -14,7 +14,7 @@ use assur_math::math::Vec2;
 use assur_model::model;
 use assur_model::model::{BinaryOp, DriveTarget, Expr, LinkId, PairId, PairKind, Positions, Value};
 use assur_syntax::document::{
-    Direction, Drive, DrivePosition, DriveRange, Name, Path, Sensed, Statement, Steps, Turn, Way,
+    Direction, Drive, DrivePosition, DriveRange, ExprKind, Name, Path, Sensed, Statement, Steps, Turn, Way,
 };
 use assur_text::diagnostic::{Diagnosis, Fix, Help};
 use assur_text::source::{Span, Spanned};
@@ -245,28 +245,34 @@ pub(crate) fn moves(cx: &Context<'_>, target: DriveTarget) -> Moves {
 
 pub(super) fn once(cx: &mut Context<'_>, target: DriveTarget, name: &str, span: Span) -> bool {
     let first = cx.builder.mech.drives.iter().find(|d| place::is_given(d, target));
-    let Some((first, moves)) = first.map(|d| (d.span, d.free || d.sought.is_some())) else {
-        return true;
+    let Some(first) = first.map(|d| d.span) else { return true };
+    let of = |place: Span| {
+        let holds = |s: &&Spanned<Statement>| s.span.start <= place.start && place.end <= s.span.end;
+        cx.doc.statements.iter().find(holds)
     };
-    let other = |s: &Statement| matches!(s, Statement::Equilibrium(_) | Statement::Start(_));
-    let again = cx
-        .doc
-        .statements
-        .iter()
-        .any(|s| other(&s.node) && s.span.start <= span.start && span.end <= s.span.end);
-    let help = if moves || again {
-        "keep one of them: `equilibrium` is where it stays at rest, `start` is where a motion begins, and \
-         a `drive` gives the motion"
-            .to_owned()
-    } else {
-        format!("write several positions in one drive: `drive {name} = 10 deg, 55 deg, 80 deg`")
+    let both = [first, span].map(of);
+    let is = |kind: fn(&Statement) -> bool| both.into_iter().flatten().find(|s| kind(&s.node));
+    let drive = is(|s| matches!(s, Statement::Drive(_)));
+    let equilibrium = is(|s| matches!(s, Statement::Equilibrium(_))).is_some();
+    let message = Diagnosis::error("mech::geometry::driven_twice", format!("`{name}` is driven twice"))
+        .primary(span, "driven again here")
+        .label(first, "already driven here");
+    let message = match drive {
+        Some(drive) if is(|s| !matches!(s, Statement::Drive(_))).is_some() => {
+            let why = match equilibrium {
+                true => "`equilibrium` finds its position",
+                false => "after a `start` the loads move it",
+            };
+            let what = format!("`drive {name}`");
+            message.help(format!("leave out {what}: {why}")).left_out(&what, drive.span)
+        }
+        Some(_) => message
+            .help(format!("write several positions in one drive: `drive {name} = 10 deg, 55 deg, 80 deg`")),
+        None => message.help(
+            "keep one of them: `equilibrium` is where it stays at rest, `start` is where a motion begins",
+        ),
     };
-    cx.error(
-        Diagnosis::error("mech::geometry::driven_twice", format!("`{name}` is driven twice"))
-            .primary(span, "driven again here")
-            .label(first, "already driven here")
-            .help(help),
-    );
+    cx.error(message);
     false
 }
 
@@ -284,12 +290,35 @@ fn positions(
             }
             timed(cx, &values[0], moves, name).map(|value| Positions::List(vec![value]))
         }
+        Some(DrivePosition::Values(values)) if units_left_out(cx, values, moves, name) => None,
         Some(DrivePosition::Values(values)) => {
             let values = values.iter().map(|v| value(cx, v, moves, 0, name)).collect::<Vec<_>>();
             values.into_iter().collect::<Option<Vec<_>>>().map(Positions::List)
         }
         Some(DrivePosition::Range(course)) => range(cx, (drive, course, span), moves, name),
     }
+}
+
+/// Reports `10, 55, 80 deg`, once: the unit behind the last number is that of all.
+fn units_left_out(cx: &mut Context<'_>, values: &[Sensed], moves: Moves, name: &str) -> bool {
+    let number = |v: &Sensed| match &v.value.kind {
+        ExprKind::Number(n) => Some((n.text.clone(), n.unit.as_ref().map(|u| u.node.clone()))),
+        _ => None,
+    };
+    let Some(numbers) = values.iter().map(number).collect::<Option<Vec<_>>>() else { return false };
+    let [before @ .., (_, Some(unit))] = numbers.as_slice() else { return false };
+    if before.len() < 2 || moves == Moves::Freely || before.iter().any(|(_, unit)| unit.is_some()) {
+        return false;
+    }
+    let all = numbers.iter().map(|(text, _)| format!("{text} {unit}")).collect::<Vec<_>>().join(", ");
+    let span = values[0].value.span.to(values[values.len() - 1].value.span);
+    let message = format!("each position of `{name}` needs its unit");
+    cx.error(
+        Diagnosis::error("mech::unit::missing", message)
+            .primary(span, "numbers without a unit")
+            .help(Help::write(span, &[all])),
+    );
+    true
 }
 
 /// Reports numbers of a driven point, once: it has two coordinates.

@@ -105,7 +105,7 @@ impl Scope<'_, '_> {
                 "mech::train::rope_end",
                 format!("`{}` is a slider: a rope cannot run over it", name.node),
             )
-            .primary(name.span, "here")
+            .primary(name.span, "this slider")
             .help(format!("write `{line}` for a movable pulley on it")),
         );
         self.names.bad.insert(joint.name.node.clone());

@@ -1,5 +1,6 @@
 //! Notes on a file that can be solved and is probably not meant so: what has no effect, counts twice, or is out of all proportion.
 
+mod asked;
 mod effect;
 mod texts;
 mod values;
@@ -24,6 +25,7 @@ pub(crate) fn notes(cx: &mut Context<'_>) {
         };
         if cx.doc.statements.iter().any(|s| moves(&s.node)) {
             effect::unused(cx);
+            asked::given_load(cx);
         }
     }
     effect::loads_twice(cx);

@@ -152,7 +152,9 @@ fn property_out_of_bounds(cx: &mut Context<'_>, property: &Property) -> Option<(
     };
     let message = format!("{}; here it is {}", bound.what, digits(number));
     cx.error(
-        Diagnosis::advice("mech::geometry::unusual_value", message).label(property.span, "here").help(help),
+        Diagnosis::advice("mech::geometry::unusual_value", message)
+            .label(property.span, "this value")
+            .help(help),
     );
     Some(())
 }

@@ -14,9 +14,11 @@ pub struct Problems {
 }
 
 impl Problems {
-    /// Reports an error or a warning.
+    /// Reports an error or a warning; the same at the same place once, as of what `all` gives to several pairs.
     pub fn error(&mut self, problem: impl Problem) {
-        self.found.push(problem);
+        if !self.found.has_alike(&problem) {
+            self.found.push(problem);
+        }
     }
 
     /// Whether one of them is an error.
@@ -32,6 +34,19 @@ impl Problems {
     /// Drops what was found; names reported as unknown stay so.
     pub fn clear_found(&mut self) {
         self.found = diagnostic::Problems::new();
+    }
+
+    /// Whether a pair is asked for that the file has not.
+    pub fn lacks_pair(&self) -> bool {
+        self.reported.iter().any(|(kind, _)| kind.split(" or ").any(|kind| kind == "pair"))
+    }
+
+    /// Drops errors of these codes, unless nothing else is wrong.
+    pub fn drop_followers(&mut self, codes: &[&str], unread: bool) {
+        let kept = self.found.without(codes);
+        if unread || kept.has_errors() {
+            self.found = kept;
+        }
     }
 
     /// All that was found.

@@ -469,14 +469,7 @@ pub(crate) fn link_point(cx: &mut Context<'_>, path: &Path, what: &str) -> Optio
     let points = cx.names.inside[link.index()].points.keys();
     let choices = points.take(8).map(|p| format!("`{}.{p}`", path.head.node)).collect::<Vec<_>>();
     let help = (!choices.is_empty()).then(|| format!("write {}", choices.join(" or ")));
-    cx.error(wrong_kind(
-        &path.head.node,
-        "a link",
-        &format!("a point, to which {what} is fastened"),
-        path.span(),
-        None,
-        help,
-    ));
+    cx.error(wrong_kind(&path.head.node, "a link", &format!("a point for {what}"), path.span(), None, help));
     None
 }
 

@@ -289,13 +289,24 @@ fn fits(cx: &mut Context<'_>, column: &Column, ty: Type, unit: &Unit) -> Option<
     // a torque that was given in newtons, or a force with a column for a torque
     let is_torque = want == Dimension::FORCE && unit.dimension == Dimension::TORQUE;
     let given = is_torque.then(|| cx.completed_given(name, unit.dimension)).flatten();
+    let with_unit = (want == Dimension::NUMBER).then(|| unit_from_column(cx, name, unit.dimension)).flatten();
     let help = match (given, column) {
+        _ if with_unit.is_some() => with_unit,
         (Some(given), Some(column)) => Some(format!("write `{given}` for a torque, or {column} for a force")),
         (_, column) => column,
     };
     let found = phrase(unit.dimension);
     cx.error(unit_mismatch(&what, &phrase(want), &found, span, help));
     None
+}
+
+/// ``write `given n = 60 rpm` `` where the value has no unit and the column has.
+fn unit_from_column(cx: &Context<'_>, name: &str, dimension: Dimension) -> Option<String> {
+    let Some(QuantityKind::Given(value)) = cx.names.quantities.get(name).map(|d| d.what) else { return None };
+    let ExprKind::Number(number) = &value.kind else { return None };
+    let column = table(cx.doc)?.columns.iter().find(|c| c.name.node == *name)?;
+    let unit = column.unit.as_ref().filter(|_| number.unit.is_none() && dimension != Dimension::NUMBER)?;
+    Some(format!("write `given {name} = {} {}`", number.text, unit.node))
 }
 
 /// Notes two rows of one name.

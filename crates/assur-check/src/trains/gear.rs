@@ -112,7 +112,7 @@ impl Context<'_> {
     fn gear_incomplete<T>(&mut self, message: String, help: String, span: Span, mesh: Span) -> Option<T> {
         self.error(
             Diagnosis::error("mech::gear::incomplete", message)
-                .primary(span, "asked here")
+                .primary(span, "this question")
                 .label(mesh, "the mesh")
                 .help(help),
         );

@@ -186,7 +186,7 @@ fn turn_alike(cx: &mut Context<'_>, planet: LinkId, first: Arm, asked: &Arm, joi
         Diagnosis::advice(
             "mech::train::turn_alike",
             format!(
-                "`{first}` and `{second}` turn alike: both mesh with planet `{shaft}` \
+                "`{first}` and `{second}` turn in the same direction at the same speed: both mesh with planet `{shaft}` \
                  from outside, at the ratio {} seen from its carrier",
                 digits(-1.0 / asked.ratio).replacen('-', "−", 1)
             ),

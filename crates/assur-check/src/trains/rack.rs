@@ -159,7 +159,7 @@ fn meets(cx: &mut Context<'_>, wheel: &Wheel, rack: LinkId, bar: &Path, at: &Pat
         return incomplete(cx, &message, help, bar.span());
     }
     // the pair that does may be one with an error
-    if cx.problems.has_errors() {
+    if cx.problems.has_errors() || !cx.pairs_complete() {
         return None;
     }
     let message = format!("nothing keeps the axis of `{}` at its distance from the rack", wheel.name);

@@ -49,7 +49,9 @@ pub(crate) fn rope(cx: &mut Context<'_>, joint: &Joint) -> Option<(Vec<Law>, Vec
                 path.head.node
             ),
         };
-        cx.error(Diagnosis::error("mech::train::rope_end", message).primary(end.span(), "here").help(help));
+        cx.error(
+            Diagnosis::error("mech::train::rope_end", message).primary(end.span(), "this end").help(help),
+        );
         return None;
     }
     let begins_with_wheel = matches!(stations.first(), Some(Station::Wheel(_)));
@@ -90,7 +92,7 @@ pub(crate) fn rope(cx: &mut Context<'_>, joint: &Joint) -> Option<(Vec<Law>, Vec
     if laws.iter().any(|l| l.terms.iter().all(|(r, _)| *r == Rate::Turn(LinkId::GROUND))) {
         cx.error(
             Diagnosis::error("mech::train::rope_end", format!("rope `{}` moves nothing", joint.name.node))
-                .primary(joint.name.span, "here")
+                .primary(joint.name.span, "this rope")
                 .help("begin the rope at a slider or a wheel: `rope a: A - over(C) - w1`"),
         );
         return None;
@@ -167,7 +169,7 @@ fn station(cx: &mut Context<'_>, end: &End) -> Option<Station> {
                         "mech::train::rope_end",
                         "a rope cannot be fastened to a point of a moving link yet",
                     )
-                    .primary(part.span, "here")
+                    .primary(part.span, "this point")
                     .help("fasten it to the ground, a slider or a wheel"),
                 );
                 return None;
@@ -183,7 +185,7 @@ fn station(cx: &mut Context<'_>, end: &End) -> Option<Station> {
                             "mech::train::rope_end",
                             format!("`{}` is an idler, which turns freely", name.node),
                         )
-                        .primary(name.span, "here")
+                        .primary(name.span, "this idler")
                         .help(format!(
                             "write `over({})`, or give a shaft a wheel of another name",
                             name.node

@@ -5,7 +5,7 @@ use crate::expr::context::Context;
 use assur_math::math::Vec2;
 use assur_model::model::{Bearing, Guide, LinkId, Pair, PairId, PairKind, Pin};
 use assur_syntax::document::{Body, Member, Name, Shaft, Slider, Statement};
-use assur_text::diagnostic::Diagnosis;
+use assur_text::diagnostic::{Diagnosis, Help, did_you_mean};
 use assur_text::source::Span;
 
 const ORIGIN: Vec2 = Vec2::new(0.0, 0.0);
@@ -115,6 +115,17 @@ fn push(cx: &mut Context<'_>, name: &Name, kind: PairKind, bearing: Bearing) {
 /// Reports what a shaft or a slider cannot have.
 fn members(cx: &mut Context<'_>, body: &Body, what: &str, turns: bool) {
     for member in body {
+        if let Member::Point(point) = &member.node
+            && let Some(word) = did_you_mean(&point.name.node, ["wheel", "mass", "inertia"]).first()
+        {
+            let (found, span) = (&point.name.node, point.name.span);
+            cx.error(
+                Diagnosis::error("mech::syntax::misspelt_word", format!("`{found}` is not known here"))
+                    .primary(span, format!("did you mean `{word}`?"))
+                    .help(Help::write(span, &[(*word).to_owned()])),
+            );
+            continue;
+        }
         let (is, help) = match &member.node {
             Member::Mass(at) | Member::Weight(at) if at.shape.is_some() || at.plane.is_some() => {
                 ("a mass with a shape or a plane", "write the mass alone, and `inertia` where it turns")

@@ -25,7 +25,7 @@ use assur_model::model::{
     Bevel, FrictionLimit, Law, LinkId, Meeting, Pair, PairId, PairKind, Rate, Transmission, TransmissionKind,
     Wheel,
 };
-use assur_syntax::document::{Joint, JointKind, Statement};
+use assur_syntax::document::{Joint, JointKind, Property, Statement};
 use assur_text::diagnostic::Diagnosis;
 use assur_text::language::properties_of_pair;
 use std::f64::consts::FRAC_PI_2;
@@ -67,8 +67,12 @@ pub(crate) fn transmissions(cx: &mut Context<'_>) {
 /// The properties in its braces. A capacity of the instant, of a clutch that slips, is read with the loads: here it is not a number.
 fn own_properties(cx: &mut Context<'_>, joint: &Joint) -> Option<Vec<Read>> {
     let (what, specs) = (phrase(joint.kind.node), properties_of_pair(joint.kind.node));
-    let slips = joint.kind.node == JointKind::Clutch
-        && joint.properties.iter().any(|p| matches!(p.name.node.as_str(), "slipping" | "freewheel"));
+    // a word that is none may be one of these
+    let may_slip = |p: &Property| {
+        let name = p.name.node.as_str();
+        matches!(name, "slipping" | "freewheel") || specs.iter().all(|spec| spec.name != name)
+    };
+    let slips = joint.kind.node == JointKind::Clutch && joint.properties.iter().any(may_slip);
     let Some(varies) = varying(cx, joint).filter(|_| slips) else {
         return read(cx, &what, &joint.properties, specs);
     };

@@ -33,8 +33,8 @@ pub fn failure(model: &Model<'_>, failure: &Failure) -> Diagnosis {
         Cause::Undecided => undecided(model, pose),
         Cause::SlipBackwards(pair) => slip_backwards(model, *pair, pose),
         Cause::Blocked => blocked(model, pose),
-        Cause::NoExtreme { pair, function, which, why } => {
-            no_extreme(model, *pair, (*function, *which), *why)
+        Cause::NoExtreme { pair, function, which, why, gap } => {
+            no_extreme(model, *pair, (*function, *which), (*why, gap.as_deref()))
         }
         Cause::NoSweep(why) => no_sweep(model, *why),
         Cause::Halted { time, halt } => halted(model, *time, halt),

@@ -96,7 +96,7 @@ pub(super) fn no_effort(
         }),
     };
     let names: Vec<String> = finds.iter().map(|f| format!("`{}`", f.name)).collect();
-    let labels: Vec<LabeledSpan> = finds.iter().map(|f| label("asked here", f.span)).collect();
+    let labels: Vec<LabeledSpan> = finds.iter().map(|f| label("this question", f.span)).collect();
     let one = names.len() == 1 && !matches!(finds[0].kind, FindKind::Reactions);
     let asked = format!("{} {}", names.join(", "), if one { "has" } else { "have" });
     let (pose, more) = (place(model, pose), and_more(more));

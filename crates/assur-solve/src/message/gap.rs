@@ -67,7 +67,7 @@ pub(super) fn gap_text(model: &Model<'_>, group: usize, gap: &GroupGap) -> (Stri
         ),
         GroupGap::Guide { distance, offset, near: Some(near) } => (
             format!(
-                "{} and {} are {} apart, but the guide passes one of them at a distance of {}: {} too near",
+                "{} and {} are {} apart, but the guide passes one of them at a distance of {}: {} too close",
                 name(0),
                 name(2),
                 mm(*distance),
@@ -174,7 +174,7 @@ fn reach(
         ),
         Some(Gap::TooNear(near)) => (
             format!(
-                "{} and {} are {} apart, but {} and {} fold to at least |{} − {}| = {}: {} too near",
+                "{} and {} are {} apart, but {} and {} fold to at least |{} − {}| = {}: {} too close",
                 name(0),
                 name(2),
                 mm(distance),

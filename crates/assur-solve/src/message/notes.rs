@@ -49,7 +49,7 @@ fn note(model: &Model<'_>, note: &Note) -> Option<Diagnosis> {
             let (name, span, normal, pose, more) = parts(model, pull);
             Diagnosis::warning(
                 "mech::solve::contact_pulls",
-                format!("contact `{name}` would have to pull{pose}: normal force {normal}{more}"),
+                format!("contact `{name}` would have to transmit tension{pose}: normal force {normal}{more}"),
             )
             .label(span, "parts here")
             .help(

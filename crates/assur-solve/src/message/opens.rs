@@ -18,14 +18,14 @@ pub(super) fn opens(
     let name = &pair.name;
     let (what, text, help) = match (&pair.kind, bond) {
         (PairKind::Contact { first, second, internal, .. }, _) if at_start => (
-            format!("contact `{name}` would have to pull from {time} on"),
+            format!("contact `{name}` would have to transmit tension from {time} on"),
             "opens here",
             on_other_side(model, (first, second), *internal),
         ),
         (PairKind::Contact { second, .. }, _) => {
             let link = &model.mechanism.link(second.link).name;
             (
-                format!("contact `{name}` would have to pull from {time} on"),
+                format!("contact `{name}` would have to transmit tension from {time} on"),
                 "opens here",
                 format!(
                     "end the motion there with `until normal({name}, {link}) < 0 N`, or press the profiles together by a spring or a load"

@@ -1,12 +1,14 @@
 //! What is said of results over the sweep that do not exist.
 
 use super::format::{four, label, short, with_unit};
+use super::gap::gap_text;
 use super::speeds::rates;
 use crate::answer::{NoExtreme, NoFlywheel, NoSweep, SweepPlace, Undefined};
 use crate::language::Function;
 use crate::message::speeds::no_drive_has;
-use crate::model::{Flywheel, PairId};
+use crate::model::{Drive, Expr, Flywheel, PairId, Positions, Value};
 use crate::position::{Model, turns};
+use crate::solve::TurnGap;
 use crate::units::Dimension;
 use assur_text::diagnostic::Diagnosis;
 use miette::LabeledSpan;
@@ -39,7 +41,7 @@ pub(super) fn no_extreme(
     model: &Model<'_>,
     pair: PairId,
     (function, which): (Function, Option<u8>),
-    reason: NoExtreme,
+    (reason, gap): (NoExtreme, Option<&TurnGap>),
 ) -> Diagnosis {
     let pair = model.mechanism.pair(pair);
     let which = which.map_or_else(String::new, |which| format!(", {which}"));
@@ -65,10 +67,10 @@ pub(super) fn no_extreme(
         }
         NoExtreme::NoTurn(limit) => {
             mark("does not turn fully");
-            not_fully(model, (function, &pair.name), limit)
+            not_fully(model, (function, &pair.name), limit, gap)
         }
         NoExtreme::Monotonic => (
-            format!("the coordinate of `{}` does not move forth and back", pair.name),
+            format!("the coordinate of `{}` does not move back and forth", pair.name),
             "name the pair of a link that swings or slides between two ends".to_owned(),
         ),
     };
@@ -82,22 +84,20 @@ fn not_fully(
     model: &Model<'_>,
     (function, pair): (Function, &str),
     limit: Option<[f64; 2]>,
+    gap: Option<&TurnGap>,
 ) -> (String, String) {
     let drive = model.mechanism.drives.first();
     let name = drive.map_or("", |d| d.name.as_str());
+    let (gap, change) = missing(model, name, gap);
     let Some([from, to]) = limit.map(|ends| ends.map(f64::to_degrees)) else {
         return (
-            format!("`{name}` cannot turn fully: the mechanism closes at no angle of it"),
-            "change the lengths so that the shortest link turns fully".to_owned(),
+            format!("`{name}` cannot turn fully: the mechanism does not close at any angle of it{gap}"),
+            change,
         );
     };
     // the ends themselves are dead positions
     let (first, last) = ((from + 0.5).ceil(), (to - 0.5).floor());
     let rates = drive.map_or_else(String::new, |d| rates(model.mechanism, d));
-    let range = match first < last {
-        true => format!("write `drive {name} = {first} deg .. {last} deg in 12 steps{rates}`"),
-        false => "change the lengths so that the shortest link turns fully".to_owned(),
-    };
     let also = match function {
         Function::Stroke => {
             format!(
@@ -106,14 +106,61 @@ fn not_fully(
         }
         _ => String::new(),
     };
+    let range = match first < last {
+        true => {
+            format!("write `drive {name} = {first} deg .. {last} deg in 12 steps{rates}`{also}; or {change}")
+        }
+        false => change,
+    };
     (
         format!(
-            "`{name}` cannot turn fully: the mechanism closes from {} deg to {} deg only",
+            "`{name}` cannot turn fully: the mechanism closes from {} deg to {} deg only{gap}",
             four(from),
             four(to)
         ),
-        range + &also,
+        range,
     )
+}
+
+/// What keeps a drive from turning fully at its worst position, and what to change.
+fn missing(model: &Model<'_>, name: &str, gap: Option<&TurnGap>) -> (String, String) {
+    let Some(TurnGap { at, group, gap }) = gap else {
+        return (String::new(), "change the lengths so that the shortest link turns fully".to_owned());
+    };
+    let (text, help) = gap_text(model, *group, gap);
+    // with just so much it would stop in a dead position
+    let more = help.replace(" by ", " by more than ");
+    (
+        format!("; at {name} = {} deg {text}", short(at.to_degrees().round())),
+        format!("for a full turn {more}"),
+    )
+}
+
+/// A range over so many turns, from where the drive begins, in its steps and at its speed.
+fn whole_turns(model: &Model<'_>, drive: Option<&Drive>, number: f64) -> String {
+    let [turn, steps] = [360.0, 12.0].map(|x| x * number);
+    let plain = format!("0 deg .. {turn} deg in {steps} steps");
+    let Some(drive) = drive.filter(|drive| turns(model, drive)) else { return plain };
+    let degrees = |e: &Expr| match e {
+        Expr::Constant(Value::Scalar(x)) => Some(x.to_degrees()),
+        _ => None,
+    };
+    let range = match &drive.positions {
+        Positions::Range { from, to, steps: written } => {
+            degrees(from).zip(degrees(to)).filter(|(from, to)| from != to).map(|(from, to)| {
+                let part = turn / (to - from).abs();
+                #[allow(clippy::cast_precision_loss)] // at most a million
+                let steps = (*written as f64 * part).round().clamp(steps, turn);
+                format!(
+                    "{} deg .. {} deg in {steps} steps",
+                    short(from),
+                    short(from + turn.copysign(to - from))
+                )
+            })
+        }
+        _ => None,
+    };
+    range.unwrap_or(plain) + &rates(model.mechanism, drive)
 }
 
 /// There is no sweep to take functions over.
@@ -162,18 +209,19 @@ fn part_of_turn(model: &Model<'_>, turns: Option<f64>, two: bool) -> Diagnosis {
         Some(turns) if turns.abs() == 1.0 => format!("`{name}` sweeps over one"),
         Some(turns) => format!("`{name}` sweeps over {}", short(turns.abs())),
     };
-    let (wanted, range) = if two {
-        ("terms of a half order need an even number of turns", "0 deg .. 720 deg in 24 steps")
+    let (wanted, number) = if two {
+        ("terms of a half order need an even number of turns", 2.0)
     } else {
-        ("a Fourier series needs whole turns", "0 deg .. 360 deg in 12 steps")
+        ("a Fourier series needs whole turns", 1.0)
     };
+    let range = whole_turns(model, mechanism.drives.first(), number);
     let terms = mechanism
         .cycles
         .iter()
         .filter(|c| c.how.harmonic().is_some_and(|term| !two || !term.halves.is_multiple_of(2)));
     let mut spans: Vec<_> = terms.map(|c| c.span).collect();
     spans.dedup();
-    let labels = spans.into_iter().map(|span| label("asked here", span));
+    let labels = spans.into_iter().map(|span| label("this question", span));
     Diagnosis::error("mech::solve::no_sweep", format!("{wanted}, and {why}"))
         .labels(labels.chain(mechanism.drives.iter().map(|d| label("drive", d.span))))
         .help(format!("write a sweep over whole turns: `drive {name} = {range}`"))
@@ -209,7 +257,8 @@ pub(super) fn no_flywheel(model: &Model<'_>, wheel: usize, reason: NoFlywheel) -
                 }
                 None => format!("`{name}` does not turn"),
             };
-            (why, format!("sweep over whole turns: `drive {name} = 0 deg .. 360 deg in 12 steps`"))
+            let range = whole_turns(model, drives.first(), 1.0);
+            (why, format!("sweep over whole turns: `drive {name} = {range}`"))
         }
         NoFlywheel::StandsStill => {
             (format!("`{name}` does not move"), "give the drive its mean speed".to_owned())

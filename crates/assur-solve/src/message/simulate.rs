@@ -93,7 +93,7 @@ fn too_many(
             four(rate)
         );
     } else if damped || mechanism.loads.iter().any(|load| load.expressions().next().is_some()) {
-        help += "; where the motion comes again, `simulate steady` follows one period";
+        help += "; where the motion repeats, `simulate steady` follows one period";
     }
     Diagnosis::error(
         "mech::simulate::too_many_steps",
@@ -325,20 +325,20 @@ fn no_cycle(why: NoCycle, span: Span) -> Diagnosis {
     let (what, help) = match why {
         NoCycle::NotReached(time) => (
             format!(
-                "the motion does not come again: from the starts its end is not reached within {} s",
+                "the motion does not repeat: from the starts its end is not reached within {} s",
                 four(time)
             ),
             "start with a greater speed, or look for a load that stops the motion",
         ),
         NoCycle::Differs { trials, by } => (
             format!(
-                "no motion was found that comes again: after {trials} trials the end still differs from the begin by {} of the greatest",
+                "no motion was found that repeats: after {trials} trials the end still differs from the start by {} of the greatest",
                 four(by)
             ),
             "start nearer to the steady motion, with its mean speed; loads must brake more at a greater speed",
         ),
     };
-    Diagnosis::error("mech::simulate::no_cycle", what).label(span, "does not come again").help(help)
+    Diagnosis::error("mech::simulate::no_cycle", what).label(span, "does not repeat").help(help)
 }
 
 fn stop_passed(model: &Model<'_>, stop: usize, by: f64, time: String) -> Diagnosis {

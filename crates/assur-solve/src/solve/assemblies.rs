@@ -8,6 +8,7 @@ use super::inputs::Rates;
 use super::positions::Sweep;
 use super::refusals::{missing_speeds, not_supported};
 use super::unassembled::does_not_close;
+use crate::plan::MotionStep;
 use crate::position::{Model, PoseRequest, State, extent};
 use crate::structure::GroupKind;
 
@@ -40,6 +41,25 @@ pub struct GroupAssembly {
     pub condition: f64,
     /// The file chooses it.
     pub chosen: bool,
+}
+
+/// That `assemble` does not choose at the first position: of a mechanism whose groups all have closed forms, and whose drives are given.
+#[must_use]
+pub fn not_chosen(model: &Model<'_>) -> Option<Failure> {
+    let mechanism = model.mechanism;
+    let searched = model.plan.motion.iter().any(|step| matches!(step, MotionStep::General { .. }));
+    let sought = mechanism.drives.iter().any(|drive| drive.is_unaided() || drive.of_time);
+    if mechanism.links.len() < 2 || mechanism.simulation.is_some() || searched || sought {
+        return None;
+    }
+    let statics = statics(model).ok()?;
+    let first = Sweep::of(model, &statics).at(0);
+    let mut state = State::new(model.plan);
+    Rates::of(model, &statics).at(&first.drives, &mut state.motion.inputs);
+    match assemble(model, state) {
+        Err(cause @ Cause::Ambiguous { .. }) => Some(Failure::at(&first, cause)),
+        _ => None,
+    }
 }
 
 /// Lists all assemblies of every group.
@@ -86,7 +106,7 @@ pub fn assemblies(model: &Model<'_>) -> Result<Assemblies, Vec<Failure>> {
             let modes = ways.iter().zip(choosing(model, &state, &ways, index)).map(|(assembly, clause)| {
                 GroupAssembly { clause, condition: assembly.conditioning.abs(), chosen: chosen(assembly) }
             });
-            let searched = matches!(model.plan.motion[index], crate::plan::MotionStep::General { .. });
+            let searched = matches!(model.plan.motion[index], MotionStep::General { .. });
             out.groups.push(GroupAssemblies { group: index, assemblies: modes.collect(), searched });
         }
         next.put(model, &mut state, index);

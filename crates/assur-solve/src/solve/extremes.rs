@@ -13,7 +13,7 @@ pub(crate) fn statics(model: &Model<'_>) -> Result<WholeCycle, Cause> {
     let Some(first) = wanted.first() else { return Ok(WholeCycle::EMPTY) };
     let none = |ask: &ExtremesRequest, why: NoExtreme| {
         let ExtremesRequest { pair, function, which } = *ask;
-        Cause::NoExtreme { pair, function, which, why }
+        Cause::NoExtreme { pair, function, which, why, gap: None }
     };
     match model.mechanism.drives.as_slice() {
         [drive] if turns(model, drive) => {}
@@ -23,7 +23,10 @@ pub(crate) fn statics(model: &Model<'_>) -> Result<WholeCycle, Cause> {
     let pairs: Vec<PairId> = wanted.iter().map(|ask| ask.pair).collect();
     let turn = Turn::new(model, &pairs).map_err(|why| match why {
         NoTurn::NotAssembled(cause) => *cause,
-        NoTurn::Open(limit) => none(first, NoExtreme::NoTurn(limit)),
+        NoTurn::Open { limit, gap } => {
+            let ExtremesRequest { pair, function, which } = *first;
+            Cause::NoExtreme { pair, function, which, why: NoExtreme::NoTurn(limit), gap: gap.map(Box::new) }
+        }
     })?;
     let mut out = Vec::new();
     for (i, ask) in wanted.iter().enumerate() {

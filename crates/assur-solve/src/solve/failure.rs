@@ -1,7 +1,7 @@
 //! Why a file, or one of its positions, has no solution: data alone, of which `message` makes the sentences.
 
 use super::clause::{Clause, NamedPoint};
-use super::gap::GroupGap;
+use super::gap::{GroupGap, TurnGap};
 use super::refusal::Refusal;
 use crate::answer::{LeftCurve, NoExtreme, NoFlywheel, NoSweep};
 use crate::language::Function;
@@ -88,6 +88,8 @@ pub enum Cause {
         which: Option<u8>,
         /// Why there are none.
         why: NoExtreme,
+        /// What keeps the drive from turning fully, where a number is known.
+        gap: Option<Box<TurnGap>>,
     },
     /// There is no sweep to take a function over.
     NoSweep(NoSweep),

@@ -53,6 +53,33 @@ pub enum GroupGap {
     },
 }
 
+/// Where over a turn of the drive the first group that stays open is farthest from closing.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TurnGap {
+    /// The value of the drive, rad.
+    pub at: f64,
+    /// Index into [`crate::structure::Structure::motion`].
+    pub group: usize,
+    pub gap: GroupGap,
+}
+
+impl GroupGap {
+    /// What is missing, m or rad; `None` where no number is known.
+    pub(super) fn missing(&self) -> Option<f64> {
+        match *self {
+            Self::Reach { gap: Some(Gap::TooFar(gap) | Gap::TooNear(gap)), .. }
+            | Self::Path { short: Some(gap), .. }
+            | Self::Guide { near: Some(gap), .. }
+            | Self::Legs(Some(Miss::Pair { gap, .. })) => Some(gap),
+            Self::Legs(Some(Miss::Third { gap, .. })) => Some(gap.abs()),
+            Self::Lift { lift, range: [least, most], dwell: None, .. } => {
+                Some((lift - most).max(least - lift))
+            }
+            _ => None,
+        }
+    }
+}
+
 /// By how much a group does not close in a state in which its step was run.
 pub(super) fn group_gap(model: &Model<'_>, state: &State, index: usize) -> GroupGap {
     let at = |a: &Anchor| state.motion.bodies[a.body].position(a.at);

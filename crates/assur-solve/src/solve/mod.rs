@@ -50,12 +50,12 @@ pub use crate::position::{
 pub use crate::position::{DriveValue, PoseOrigin, extent};
 pub use crate::reference::{Exact, Reference, exact, knows_couple, reference};
 pub use again::{PoseOutputs, ReusedSolver};
-pub use assemblies::{Assemblies, GroupAssemblies, GroupAssembly, assemblies};
+pub use assemblies::{Assemblies, GroupAssemblies, GroupAssembly, assemblies, not_chosen};
 pub use block::{BLOCK, Block, FreeSweep};
 pub use clause::{Clause, NamedPoint};
 pub use cycle::{CourseSet, SweepCurve, courses, over_cycle};
 pub use failure::{Cause, Failure, GroupId, Halt, Lost, NoCycle};
-pub use gap::GroupGap;
+pub use gap::{GroupGap, TurnGap};
 pub use iteration::{Begun, Iteration, iteration};
 pub use motion_scales::MotionScales;
 pub use note::{Closing, Gap, Locking, Loss, Note, Pull, Uncertified, WholeCycleRange};

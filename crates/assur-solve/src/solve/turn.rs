@@ -2,6 +2,7 @@
 
 use super::assemble::assemble;
 use super::failure::Cause;
+use super::gap::TurnGap;
 use super::inputs::Rates;
 use super::track::Tracker;
 use crate::answer::{Extremes, PoseAnswers, WholeCycle};
@@ -14,8 +15,13 @@ use std::f64::consts::TAU;
 pub(super) enum NoTurn {
     /// The first position has several assemblies, or none that is as the hints say.
     NotAssembled(Box<Cause>),
-    /// Over the turn; the ends of a range of drive values that close, where one does.
-    Open(Option<[f64; 2]>),
+    /// Over the turn.
+    Open {
+        /// The ends of a range of drive values that close, where one does.
+        limit: Option<[f64; 2]>,
+        /// Where it is farthest from closing.
+        gap: Option<TurnGap>,
+    },
 }
 
 /// One turn of the drive, sampled with unit speed.
@@ -46,7 +52,7 @@ impl Turn {
         let values = [DriveValue::Scalar(0.0)];
         rates.at(&values, &mut start.motion.inputs);
         let mut state = assemble(model, start).map_err(|cause| match cause.is_open() {
-            true => NoTurn::Open(range(model, &rates)),
+            true => NoTurn::Open { limit: range(model, &rates), gap: widest(model, &rates) },
             false => NoTurn::NotAssembled(Box::new(cause)),
         })?;
         let first = Tracker::new(model, state.clone(), &values);
@@ -57,7 +63,8 @@ impl Turn {
             let at = TAU * i as f64 / SAMPLES as f64;
             let target = [DriveValue::Scalar(at)];
             if i > 0 && tracker.advance_to(model, &rates, &target).is_err() {
-                return Err(NoTurn::Open(Some(ends(model, &rates, &first, 0.0))));
+                let limit = Some(ends(model, &rates, &first, 0.0));
+                return Err(NoTurn::Open { limit, gap: widest(model, &rates) });
             }
             state.start_from(&tracker.state);
             rates.at(&target, &mut state.motion.inputs);
@@ -130,11 +137,38 @@ const SOUGHT: i32 = 36;
 fn range(model: &Model<'_>, rates: &Rates) -> Option<[f64; 2]> {
     (1..SOUGHT).find_map(|i| {
         let at = TAU * f64::from(i) / f64::from(SOUGHT);
-        let mut start = State::new(model.plan);
-        rates.at(&[DriveValue::Scalar(at)], &mut start.motion.inputs);
-        let state = assemble(model, start).ok()?;
+        let state = assembled(model, rates, at).ok()?;
         Some(ends(model, rates, &Tracker::new(model, state, &[DriveValue::Scalar(at)]), at))
     })
+}
+
+fn assembled(model: &Model<'_>, rates: &Rates, at: f64) -> Result<State, Cause> {
+    let mut start = State::new(model.plan);
+    rates.at(&[DriveValue::Scalar(at)], &mut start.motion.inputs);
+    assemble(model, start)
+}
+
+/// Halvings of the step about the widest gap, after which it is known to more digits than are told.
+const HALVINGS: i32 = 12;
+
+/// Where the first group that stays open over the turn is farthest from closing.
+fn widest(model: &Model<'_>, rates: &Rates) -> Option<TurnGap> {
+    let open = |at: f64| match assembled(model, rates, at) {
+        Err(Cause::DoesNotClose { group, gap }) => gap.missing().map(|far| (far, TurnGap { at, group, gap })),
+        _ => None,
+    };
+    let wider = |a: (f64, TurnGap), b: (f64, TurnGap)| {
+        let is_wider = b.1.group < a.1.group || b.1.group == a.1.group && b.0 > a.0;
+        if is_wider { b } else { a }
+    };
+    let mut step = TAU / f64::from(SOUGHT);
+    let mut best = (0..SOUGHT).filter_map(|i| open(step * f64::from(i))).reduce(wider)?;
+    for _ in 0..HALVINGS {
+        step /= 2.0;
+        let beside = [best.1.at - step, best.1.at + step];
+        best = beside.into_iter().filter_map(open).fold(best, wider);
+    }
+    Some(best.1)
 }
 
 /// How far the mechanism closes on both sides of a position.

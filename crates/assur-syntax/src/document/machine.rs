@@ -86,6 +86,7 @@ impl End {
 /// `friction 0.1`, `contacts -20 mm, 25 mm`, `with_cam`, `rim { … }`
 #[derive(Clone, Debug, PartialEq)]
 pub struct Property {
+    /// Empty where the property could not be read.
     pub name: Name,
     /// Its values; none for a word that stands alone.
     pub values: Vec<Expr>,

@@ -10,6 +10,8 @@ use crate::document::{
 use crate::recover::{What, needless_word};
 use crate::trivia::corrected;
 use crate::words::Rule;
+use assur_text::diagnostic::did_you_mean;
+use assur_text::language::{Place, words_of};
 use assur_text::source::{Span, Spanned};
 
 impl Lower<'_> {
@@ -198,7 +200,9 @@ impl Lower<'_> {
 
     /// A point after whose name a number stands is no point: `wieght 21 N`.
     fn check_point(&mut self, name: &Name, at: &Expr) {
-        if matches!(&at.kind, ExprKind::Number(n) if n.value != 0.0) {
+        // `inerta 0 kg*m^2`, but `P 0` is at the origin
+        let is_word = !did_you_mean(&name.node, words_of(Place::Member)).is_empty();
+        if matches!(&at.kind, ExprKind::Number(n) if n.value != 0.0 || n.unit.is_some() && is_word) {
             let problem = crate::recover::point_without_coordinates(self.text, name, at.span);
             self.problems.push(problem);
         }

@@ -64,6 +64,9 @@ impl Lower<'_> {
             let before = self.problems.len();
             if pair.as_rule() == Rule::bad_property {
                 self.bad(&pair, What::Property);
+                // what has it is not without it
+                let (values, properties) = (Vec::new(), Vec::new());
+                found.push(Property { name: Spanned::new(String::new(), at), values, properties, span: at });
             } else if let Some(property) = self.property(pair) {
                 found.push(property);
             } else {

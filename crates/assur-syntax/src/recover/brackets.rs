@@ -1,11 +1,12 @@
 //! Brackets that do not match.
 
 use super::case::Case;
+use super::lacking;
 use crate::words::is_name_char;
 use assur_text::diagnostic::Diagnosis;
 
 pub(super) fn explain(case: &Case<'_>) -> Option<Diagnosis> {
-    third_coordinate(case).or_else(|| unmatched(case)).or_else(|| unclosed(case))
+    third_coordinate(case).or_else(|| unopened(case)).or_else(|| unmatched(case)).or_else(|| unclosed(case))
 }
 
 /// `(1 m, 2 m, 3 m)`
@@ -22,6 +23,20 @@ fn third_coordinate(case: &Case<'_>) -> Option<Diagnosis> {
                  not a comma",
             )
     })
+}
+
+/// A brace that closes and was not opened, where it can be: `link rod A (0, 0) }`.
+fn unopened(case: &Case<'_>) -> Option<Diagnosis> {
+    let count = |sign: char| case.slice.matches(sign).count();
+    if count('}') != count('{') + 1 {
+        return None;
+    }
+    let opens = |at: &usize| case.reads(&case.with(*at, *at, "{ "));
+    let words = case.words().into_iter().map(|(at, _)| at);
+    let at = words.filter(|at| *at <= case.fail && *at > 0).rev().find(opens)?;
+    let mut problem = lacking("{", case.span(at, case.token(at).len()), case.help(at, at, "{ "));
+    problem = problem.about("");
+    Some(problem)
 }
 
 /// A closing bracket too many.

@@ -11,7 +11,36 @@ pub(super) fn explain(case: &Case<'_>) -> Option<Diagnosis> {
     if matches!(case.what, What::Row | What::Header) {
         return None;
     }
-    semicolon_in_brackets(case).or_else(|| decimal_comma(case)).or_else(|| grouped(case))
+    semicolon_in_brackets(case)
+        .or_else(|| between_properties(case))
+        .or_else(|| decimal_comma(case))
+        .or_else(|| grouped(case))
+}
+
+/// `{ friction 0.2, radius 10 mm }`, `{ bevel, far }`: properties apart by a comma.
+fn between_properties(case: &Case<'_>) -> Option<Diagnosis> {
+    let open = case.slice.find('{');
+    let inner = if case.what == What::Property { 0 } else { open? + 1 };
+    let mut commas = case.slice.get(inner..)?.match_indices(',').map(|(at, _)| inner + at);
+    let word_behind = |at: usize| {
+        let rest = case.slice.get(at + 1..).unwrap_or_default().trim_start();
+        rest.starts_with(|c: char| c.is_ascii_lowercase())
+    };
+    commas.find_map(|at| {
+        if !word_behind(at) {
+            return None;
+        }
+        if case.what == What::Property {
+            let (first, second) = (case.slice.get(..at)?, case.slice.get(at + 1..)?);
+            if ["far", "ccw", "cw"].contains(&second.trim()) {
+                let new = format!("{} {}", first.trim(), second.trim());
+                return case.instead((0, case.slice.len()), &new, &new);
+            }
+            let both = case.reads(first.trim()) && case.reads(second.trim());
+            return both.then(|| instead(",", ";", case.span(at, 1), case.help(at, at + 1, ";")));
+        }
+        case.instead((at, at + 1), ";", ";")
+    })
 }
 
 /// `0,5 m`: first the comma nearest before the failure alone, then all.

@@ -20,6 +20,7 @@ pub(super) fn explain(case: &Case<'_>) -> Option<Diagnosis> {
         .or_else(|| name_of_speed(case))
         .or_else(|| in_hinge(case))
         .or_else(|| segment_of(case))
+        .or_else(|| colon(case))
         .or_else(|| word(case))
         .or_else(|| property(case))
 }
@@ -43,6 +44,10 @@ const WORDS: &[(&str, &[&str], &[&str])] = &[
     ("downwards", &["down"], &["force"]),
     ("rightwards", &["right"], &["force"]),
     ("leftwards", &["left"], &["force"]),
+    ("decreasing", &["falling"], &["event"]),
+    ("increasing", &["rising"], &["event"]),
+    ("torque", &["capacity"], &["clutch", "brake"]),
+    ("of", &["in"], &["force"]),
     ("clockwise", &["cw"], &[]),
     ("anticlockwise", &["ccw"], &[]),
     ("counterclockwise", &["ccw"], &[]),
@@ -156,6 +161,16 @@ pub(super) fn adjective(case: &Case<'_>) -> Option<Diagnosis> {
         .then(|| needless_word(first, case.span(0, first.len()), case.help(0, *at, "")))
 }
 
+/// `pose upper: crank = 100 deg`: the word that is due in place of a colon.
+fn colon(case: &Case<'_>) -> Option<Diagnosis> {
+    let place = (case.fail, case.fail + 1);
+    let fits = |word: &String| case.reads(&case.with(place.0, place.1, &format!(" {word} ")));
+    let is_word = |word: &String| word.starts_with(char::is_alphabetic);
+    let mut wanted = case.literals().into_iter().filter(|w| is_word(w) && fits(w));
+    let word = wanted.next().filter(|_| case.token(case.fail) == ":" && wanted.next().is_none())?;
+    case.instead(place, &format!(" {word}"), &word)
+}
+
 /// `in 12 points`: the word where reading stopped, or the one before, which was read as a unit or a name.
 fn word(case: &Case<'_>) -> Option<Diagnosis> {
     let words = case.words();
@@ -193,7 +208,9 @@ fn bars(case: &Case<'_>) -> Option<Diagnosis> {
         new = new.replace("abs(", "mag(");
     }
     case.reads(&new).then(|| {
-        instead("|…|", "abs(…)", case.span(open, close + 1 - open), case.help(0, case.slice.len(), &new))
+        let wanted =
+            if new.contains("mag(") && !case.slice.contains("mag(") { "mag(…)" } else { "abs(…)" };
+        instead("|…|", wanted, case.span(open, close + 1 - open), case.help(0, case.slice.len(), &new))
     })
 }
 

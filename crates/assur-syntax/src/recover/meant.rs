@@ -9,6 +9,7 @@ use assur_text::units::lookup;
 
 pub(super) fn explain(case: &Case<'_>) -> Option<Diagnosis> {
     quotes_inside(case)
+        .or_else(|| quoted_value(case))
         .or_else(|| position_left_out(case))
         .or_else(|| without_braces(case))
         .or_else(|| one_point(case))
@@ -16,6 +17,7 @@ pub(super) fn explain(case: &Case<'_>) -> Option<Diagnosis> {
         .or_else(|| unit_before_name(case))
         .or_else(|| unit_in_parentheses(case))
         .or_else(|| raised(case))
+        .or_else(|| polar_with_comma(case))
         .or_else(|| in_parentheses(case))
         .or_else(|| comment(case))
         .or_else(|| repeated(case))
@@ -45,6 +47,13 @@ fn quotes_inside(case: &Case<'_>) -> Option<Diagnosis> {
     let new = case.slice.replace(found, "'");
     case.reads(&new)
         .then(|| instead(found, "'", case.span(at, found.len()), case.help(0, case.slice.len(), &new)))
+}
+
+/// `given P = "1000 N"`
+fn quoted_value(case: &Case<'_>) -> Option<Diagnosis> {
+    let open = case.slice.find('"').filter(|_| case.token(0) != "mechanism")?;
+    let inner = case.slice.get(open + 1..)?.split('"').next()?;
+    case.instead((open, open + inner.len() + 2), inner, inner)
 }
 
 /// `drive crank = at 1500 rpm`
@@ -253,6 +262,15 @@ fn fillers(case: &Case<'_>) -> Option<Diagnosis> {
         case.span(start, end - start),
         case.help(left(start), end, ""),
     ))
+}
+
+/// `P 70 mm, 45 deg`: a point by its distance and direction.
+fn polar_with_comma(case: &Case<'_>) -> Option<Diagnosis> {
+    let (before, behind) = case.slice.split_once(',')?;
+    let is_angle = ["deg", "rad", "°"].iter().any(|unit| behind.trim_end().ends_with(unit));
+    let at = before.len();
+    let alone = case.what == What::Member && is_angle && !before.contains('(');
+    if alone { case.instead((at, at + 1), " at", "at") } else { None }
 }
 
 /// `A 0, 0`, `A (0 0)`, `(120, 10) mm`, `1 rad/s (5 %)`

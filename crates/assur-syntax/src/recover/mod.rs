@@ -254,13 +254,10 @@ pub fn misplaced(found: &str, at: Span, place: &'static str, help: Help) -> Diag
 }
 
 pub fn word_of_the_language(found: &str, at: Span, help: Help) -> Diagnosis {
-    Diagnosis::error(
-        "mech::syntax::reserved_name",
-        format!("`{found}` is a word of the language and cannot be a name"),
-    )
-    .label(at, "choose another name")
-    .help(help)
-    .about(found)
+    Diagnosis::error("mech::syntax::reserved_name", format!("`{found}` is a keyword and cannot be a name"))
+        .label(at, "choose another name")
+        .help(help)
+        .about(found)
 }
 
 pub fn without_operator(at: Span, help: Help) -> Diagnosis {

@@ -107,10 +107,29 @@ impl Problems {
         self.more_warnings += later.more_warnings;
     }
 
+    /// Those that are no errors of these codes.
+    #[must_use]
+    pub fn without(&self, codes: &[&str]) -> Self {
+        let is_kept = |p: &&Arc<dyn Problem>| {
+            !is_error(p.as_ref()) || p.code().is_none_or(|code| !codes.contains(&code.to_string().as_str()))
+        };
+        Self { items: self.items.iter().filter(is_kept).cloned().collect(), ..*self }
+    }
+
     /// All of them, of this row of variants: `row` is it in words, `span` its place in the file's own table.
     #[must_use]
     pub fn of_row(self, row: &str, span: Option<Span>) -> Self {
         Self::of(self.items.iter().map(|p| Diagnosis::copied(p.as_ref()).of_row(row, span)))
+    }
+
+    /// Whether the same is reported at the same place.
+    #[must_use]
+    pub fn has_alike(&self, problem: &dyn Problem) -> bool {
+        let place = primary(problem);
+        let text = || (problem.code().map(|code| code.to_string()), problem.to_string());
+        self.items.iter().any(|p| {
+            primary(p.as_ref()) == place && (p.code().map(|code| code.to_string()), p.to_string()) == text()
+        })
     }
 
     /// Whether both have the same texts at the same places.

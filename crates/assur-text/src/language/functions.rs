@@ -355,7 +355,7 @@ functions! {
     Energy "energy" Simulation "energy()"
         [form(&[], Number(Dimension::TORQUE), "kinetic and potential energy together")],
     Period "period" Simulation "period()"
-        [form(&[], Number(Dimension::TIME), "of a steady motion: after what time it comes again")],
+        [form(&[], Number(Dimension::TIME), "of a steady motion: after what time it repeats")],
     Sticks "sticks" Simulation "sticks(P)"
         [form(&[J], Condition, "the pair is held by friction")],
     Rests "rests" Simulation "rests(G)"

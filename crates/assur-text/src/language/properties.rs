@@ -105,7 +105,12 @@ const CONTACT: &[Property] = &[
         "arm of the rolling resistance: its couple is this arm times the normal force",
     ),
     INTERNAL,
-    row("parts", Flag, "parts", "in a motion it opens where it would have to pull, and closes again"),
+    row(
+        "parts",
+        Flag,
+        "parts",
+        "in a motion it opens where it would have to transmit tension, and closes again",
+    ),
     RESTITUTION,
 ];
 
@@ -289,7 +294,7 @@ pub static RIM: &[Property] = &[
         "height_to_width",
         Positive(Dimension::NUMBER),
         "height_to_width 1.5",
-        "proportion of its cross section",
+        "ratio of its height to its width",
     ),
 ];
 

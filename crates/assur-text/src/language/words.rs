@@ -221,7 +221,7 @@ pub static CONTEXTUAL: &[Word] = &[
     small("radius", "before the radius of a circle or wheel"),
     small("rising", "an event counts where its value rises"),
     small("smooth", "a curve with continuous second derivative"),
-    small("steady", "a motion that comes again"),
+    small("steady", "a motion that repeats"),
     small("teeth", "before the number of teeth"),
     small("turn", "after `steady`: a turn of a link"),
     small("turns", "after `steady` and their number"),

@@ -9,10 +9,11 @@ use crate::motion::{
 };
 use crate::statements::written::{text, written};
 use assur_math::math::Vec2;
-use assur_model::model::{Drive, DriveTarget, Expr, Positions, Value};
+use assur_model::model::{Drive, DriveTarget, Expr, Pair, PairKind, Positions, Value};
 use assur_syntax::document::{Start, Statement};
 use assur_text::diagnostic::Diagnosis;
 use assur_text::source::Span;
+use assur_text::units::Dimension;
 
 /// Enters all starts into the mechanism. For the structure a start is a drive: one freedom whose position is known.
 pub(crate) fn starts(cx: &mut Context<'_>) {
@@ -35,6 +36,22 @@ fn start(cx: &mut Context<'_>, start: &Start, span: Span) -> Option<Drive> {
         let line = written_start(start, &name);
         let help = format!("add `simulate 0 s .. 1 s`, or write `{}` for a motion that is given", line);
         cx.error(no_simulation("start", help, span));
+        return None;
+    }
+    if let Some(pair) = sliding_pair(cx, start, target.filter(|_| moves == Moves::Turning)) {
+        let line = [
+            Some(format!("start {pair}")),
+            start.value.as_ref().and_then(|v| written(&v.value)).map(|v| format!(" = {v}")),
+        ];
+        let rate = start.rate.as_ref().and_then(|v| written(&v.value)).map(|v| format!(" at {v}"));
+        let line = line.into_iter().flatten().chain(rate).collect::<String>();
+        let message = format!("`{name}` slides, so that its position is that of `{pair}`");
+        cx.error(
+            Diagnosis::error("mech::unit::mismatch", message)
+                .primary(start.target.span(), "a link, whose position is an angle")
+                .help(format!("write `{line}`"))
+                .quoted(span),
+        );
         return None;
     }
     let once = target.is_none_or(|target| once(cx, target, &name, span));
@@ -82,6 +99,16 @@ fn start(cx: &mut Context<'_>, start: &Start, span: Span) -> Option<Drive> {
         sought: None,
         of_time,
     })
+}
+
+/// The only pair in which a link slides whose position is given as a length.
+fn sliding_pair(cx: &mut Context<'_>, start: &Start, target: Option<DriveTarget>) -> Option<String> {
+    let (Some(DriveTarget::Link(link)), Some(value)) = (target, &start.value) else { return None };
+    let found = cx.quietly(|cx| cx.read(&value.value)).map(|t| t.ty.dimension())?;
+    let slides = |pair: &&Pair| matches!(&pair.kind, PairKind::Prismatic(g) if g.slider == link);
+    let mut pairs = cx.builder.mech.pairs.iter().filter(slides);
+    let only = pairs.next().filter(|_| pairs.next().is_none())?;
+    (found == Dimension::LENGTH).then(|| only.name.clone())
 }
 
 /// The drive that stands for a start whose motion is given.

@@ -80,7 +80,7 @@ fn depends_on_time(cx: &mut Context<'_>) {
     let loads = mech.loads.iter().filter(|load| load.expressions().any(timed)).map(|load| load.span);
     for span in loads.collect::<Vec<_>>() {
         let what = "a load that depends on `time` in a steady motion".to_owned();
-        let help = "let it depend on angles, positions and velocities, which come again".to_owned();
+        let help = "let it depend on angles, positions and velocities, which repeat".to_owned();
         no_meaning(cx, what, help, span);
     }
 }

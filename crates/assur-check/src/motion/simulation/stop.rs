@@ -81,7 +81,7 @@ fn restitution(
             _ => "write the speed after the impact over that before it, as in `restitution 0.7`".to_owned(),
         };
         let span = place.map_or(span, |p| p.name.span);
-        cx.error(Diagnosis::error("mech::simulate::stop", what).primary(span, "here").help(help));
+        cx.error(Diagnosis::error("mech::simulate::stop", what).primary(span, "this stop").help(help));
         return None;
     }
     Some(restitution)
@@ -123,7 +123,7 @@ fn is_free(cx: &mut Context<'_>, stop: &document::Stop, found: &Stop) -> bool {
 /// Two stops of a pair that cannot both be.
 fn two_stops(what: String, (at, first): (Span, Span), help: &str) -> Diagnosis {
     Diagnosis::error("mech::simulate::stop", what)
-        .primary(at, "here")
+        .primary(at, "this stop")
         .label(first, "first here")
         .help(help)
         .left_out("this stop", at)

@@ -132,7 +132,7 @@ impl Context<'_> {
                 "mech::request::not_of_this_pair",
                 format!("`{}` is not defined for `{pair}`, {kind}", call.name.node),
             )
-            .primary(call.span, "asked here")
+            .primary(call.span, "this question")
             .label(declared, "declared here")
             .help_if(help.map(str::to_owned)),
         );

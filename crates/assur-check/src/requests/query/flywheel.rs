@@ -3,6 +3,7 @@
 use crate::expr::context::Context;
 use crate::expr::read::no_part;
 use crate::expr::results::Call;
+use crate::motion::simulation::may_be_missing;
 use crate::names::declared::QuantityKind;
 use crate::names::suggestion::{not_declared, suggestion};
 use crate::requests::query::not_a_quantity;
@@ -79,6 +80,8 @@ impl Context<'_> {
                 self.work_of_balance(&name);
                 None
             }
+            // of the motion that could not be read
+            Some(_) if call.name.node == "work" && !may_be_missing(self) => None,
             Some(_) => {
                 self.wrong_argument(call, "a flywheel", name.span);
                 None

@@ -137,7 +137,7 @@ impl Context<'_> {
             let (pair, declared) = (declared.name.clone(), declared.span);
             self.error(
                 Diagnosis::error("mech::request::no_contacts", format!("`{pair}` has no contact points"))
-                    .primary(call.span, "asked here")
+                    .primary(call.span, "this question")
                     .label(declared, "declared here, without `contacts`")
                     .help("add them in its braces: `contacts -20 mm, 25 mm`"),
             );
@@ -172,7 +172,7 @@ impl Context<'_> {
             let (link, declared) = (declared.name.clone(), declared.span);
             self.error(
                 Diagnosis::error("mech::request::no_mass", format!("`{link}` has no mass"))
-                    .primary(call.span, "asked here")
+                    .primary(call.span, "this question")
                     .label(declared, "declared here")
                     .help("add a mass in its braces: `mass 2 kg at S; inertia 0.1 kg*m^2`"),
             );
@@ -344,7 +344,7 @@ impl Context<'_> {
                      effort `{balance}`"
                 ),
             )
-            .primary(driven.span, "asked here")
+            .primary(driven.span, "this question")
             .label(declared, "the unknown effort")
             .help(format!("ask for `{balance}`, or leave out this `balance`")),
         );

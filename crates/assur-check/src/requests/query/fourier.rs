@@ -172,9 +172,8 @@ impl Context<'_> {
         if !self.names.simulates {
             self.only_drive(call)?;
         } else if !self.is_steady() {
-            let help =
-                "ask for the motion that comes again, as in `simulate steady turn of crank`".to_owned();
-            self.error(without_meaning("`fourier` of a motion that does not come again", &help, call.span));
+            let help = "ask for the motion that repeats, as in `simulate steady turn of crank`".to_owned();
+            self.error(without_meaning("`fourier` of a motion that does not repeat", &help, call.span));
             return None;
         }
         Some((t, dim))

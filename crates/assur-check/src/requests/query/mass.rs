@@ -162,7 +162,7 @@ impl Context<'_> {
     pub(super) fn without_any_mass(&mut self, call: Call<'_>) {
         self.error(
             Diagnosis::error("mech::request::no_mass", "nothing that moves has a mass".to_owned())
-                .primary(call.span, "asked here")
+                .primary(call.span, "this question")
                 .help("add a mass in the braces of a link: `mass 2 kg at S; inertia 0.1 kg*m^2`"),
         );
     }

@@ -225,7 +225,7 @@ impl Context<'_> {
                         "mech::request::which_two",
                         format!("`{pair}` joins {count} links and has no single relative motion"),
                     )
-                    .primary(call.span, "asked here")
+                    .primary(call.span, "this question")
                     .fixes(Fix::quoted(&help.replace(" with links:", ""), call.span))
                     .help(help),
                 );
@@ -259,7 +259,7 @@ impl Context<'_> {
                 "mech::request::which_drive",
                 format!("`{function}` needs exactly one drive, but there are {count}"),
             )
-            .primary(span, "asked here")
+            .primary(span, "this question")
             .help("use it in a mechanism with one drive"),
         );
         None

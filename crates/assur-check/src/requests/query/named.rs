@@ -2,8 +2,10 @@
 
 use crate::expr::context::Context;
 use crate::expr::results::Call;
+use crate::statements::written::written;
 use assur_model::model::Expr as ModelExpr;
 use assur_syntax::document::Expr;
+use assur_text::diagnostic::{Diagnosis, Help};
 use assur_text::language::{Function, Takes};
 
 /// The arguments given, by name.
@@ -43,7 +45,20 @@ impl Context<'_> {
         let mut given = Given { values: Vec::new(), others: Vec::new(), pending: false };
         for arg in call.args {
             let Some(name) = &arg.name else {
-                self.wrong_argument(call, "an argument with a name", arg.value.span);
+                let named =
+                    |name: &str| call.args.iter().any(|a| a.name.as_ref().is_some_and(|n| n.node == name));
+                let next = known.clone().find(|a| !a.optional && !given.has(a.name) && !named(a.name));
+                match next.zip(written(&arg.value)) {
+                    Some((next, value)) => self.error(
+                        Diagnosis::error(
+                            "mech::request::argument",
+                            format!("`{}` takes arguments with their names", call.name.node),
+                        )
+                        .primary(arg.value.span, "the name is missing")
+                        .help(Help::write(arg.value.span, &[format!("{} = {value}", next.name)])),
+                    ),
+                    None => self.wrong_argument(call, "an argument with a name", arg.value.span),
+                }
                 return None;
             };
             let Some(argument) = known.clone().find(|a| a.name == name.node) else {

@@ -155,7 +155,9 @@ impl Context<'_> {
         if !parts && !self.doc.statements.iter().any(|s| is_stop(&s.node)) {
             let what = format!("`{name}` has no stop to rest on");
             let help = format!("add one, as in `stop {name} > 0 mm {{ restitution 0.7 }}`");
-            self.error(Diagnosis::error("mech::simulate::stop", what).primary(call.span, "here").help(help));
+            self.error(
+                Diagnosis::error("mech::simulate::stop", what).primary(call.span, "this question").help(help),
+            );
             return None;
         }
         Some(pair)
@@ -166,8 +168,7 @@ impl Context<'_> {
         self.arguments(call, 0, 0)?;
         if !self.is_steady() {
             let what = "`period()` without a steady motion".to_owned();
-            let help =
-                "ask for the motion that comes again, as in `simulate steady turn of crank`".to_owned();
+            let help = "ask for the motion that repeats, as in `simulate steady turn of crank`".to_owned();
             self.error(without_meaning(&what, &help, call.span));
             return None;
         }
@@ -300,11 +301,17 @@ impl Context<'_> {
         if let Some(index) = self.names.events.get_index_of(&name.node) {
             return Some(index);
         }
-        if self.names.bad.contains(&name.node) {
+        if self.names.bad.contains(&name.node) || !self.problems.reported.insert(("event", name.node.clone()))
+        {
             return None;
         }
         let events = self.names.events.keys().map(String::as_str).collect::<Vec<_>>();
-        let help = suggestion(&name.node, name.span, &events, "events").unwrap_or_else(|| {
+        let of_link = self.find_link(&name.node).map(|_| {
+            format!("write `simulate steady turn of {0}` for turns of `{0}`, or name an event", name.node)
+                .into()
+        });
+        let listed = || suggestion(&name.node, name.span, &events, "events");
+        let help = of_link.or_else(listed).unwrap_or_else(|| {
             format!("declare it, as in `event {}: omega(crank) = 0 rad/s`", name.node).into()
         });
         self.error(

@@ -32,12 +32,19 @@ const ALSO: &[(Function, &[&str])] = &[
     (Function::Min, &["minimum", "amin"]),
     (Function::Sqrt, &["root", "√"]),
     (Function::Efficiency, &["η", "eta"]),
+    (Function::Mass, &["m"]),
+    (Function::Sticks, &["engaged", "stuck", "held"]),
+    (Function::Slips, &["slipping", "slides"]),
     (Function::Stable, &["stability", "is_stable"]),
     (Function::Distance, &["dist", "gap"]),
     (Function::CurvatureRadius, &["curvature", "radius_of_curvature", "rho"]),
     (Function::CurvatureCentre, &["curvature_center", "centre_of_curvature", "center_of_curvature"]),
     (Function::InstantCentre, &["instant_center", "icr", "pole", "velocity_pole"]),
 ];
+
+/// Forces inside a link by other names.
+const INTERNAL: &[(&str, &str)] =
+    &[("shear", "Q"), ("shear_force", "Q"), ("bending_moment", "M"), ("bending", "M"), ("axial_force", "N")];
 
 impl Context<'_> {
     /// Reports a call of what is no function.
@@ -68,6 +75,10 @@ impl Context<'_> {
             let [most, least] =
                 [Function::Max, Function::Min].map(|f| written(&called(f, call.args, call.span)));
             return Some(format!("write `{} - {}`", most?, least?).into());
+        }
+        if let Some((_, part)) = INTERNAL.iter().find(|(other, _)| *other == name) {
+            let args = call.args.iter().map(|arg| written(&arg.value)).collect::<Option<Vec<_>>>()?;
+            return Some(Help::write(call.span, &[format!("internal({}).{part}", args.join(", "))]));
         }
         if matches!(name, "torque" | "moment" | "driving_torque")
             && let Some(balance) = self.builder.mech.balances.first()
