@@ -77,7 +77,7 @@ const OTHERS: &[(&str, Option<&str>)] = &[
     ("09-watt-pair-doubled", Some("mech::geometry::stated_twice")),
     ("09b-watt-pair-doubled", Some("mech::geometry::joined_twice")),
     ("12-free-roller", None),
-    ("13-two-guides-same-slider", Some("mech::geometry::held_twice")),
+    ("13-two-guides-same-slider", Some("mech::determinacy::repeated")),
     ("21-balance-where-known", None),
     ("wrong-end-accepted", Some("mech::determinacy::two_letters")),
     ("22-pin-without-shared-point", Some("mech::determinacy::two_letters")),

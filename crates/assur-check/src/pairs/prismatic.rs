@@ -8,14 +8,10 @@ use crate::pairs::property::phrase;
 use crate::statements::written::{end_text, line_of};
 use assur_math::math::Vec2;
 use assur_model::model::{Guide, Line, LinkId, PairKind};
-use assur_syntax::document::{End, Joint, JointKind, Member, Name, Statement};
+use assur_syntax::document::{End, Joint, JointKind, Member, Statement};
 use assur_text::diagnostic::{Diagnosis, Help, did_you_mean};
 use assur_text::source::Spanned;
 use assur_text::units::Dimension;
-use indexmap::IndexMap;
-
-/// The links whose angle a pair of point and line fixes already, with that pair's name.
-pub(crate) type Held = IndexMap<LinkId, Name>;
 
 /// What an end of the pair is.
 enum Part {
@@ -29,14 +25,12 @@ pub(crate) fn guide(
     joint: &Joint,
     ends: &[Joined],
     properties: Option<&[Read]>,
-    held: &mut Held,
 ) -> Option<PairKind> {
     let [first, second] = ends else { return None };
     let parts = (part(cx, joint, first), part(cx, joint, second));
     let properties = properties.unwrap_or_default();
     let angle = find(properties, "angle");
     let parts = (parts.0?, parts.1?);
-    let by_point = !matches!(parts, (Part::Line(_), Part::Line(_)));
     let mut guide = match parts {
         (Part::Point(point), Part::Line(line)) => {
             point_on_line(first, point, second.link, line, angle, false)
@@ -52,10 +46,6 @@ pub(crate) fn guide(
     guide.contacts = contacts(cx, properties)?;
     if joint.kind.node == JointKind::Slot {
         return Some(PairKind::Slot(guide));
-    }
-    if by_point {
-        held_before(cx, joint, &guide, held)?;
-        held.insert(guide.slider, joint.name.clone());
     }
     Some(PairKind::Prismatic(guide))
 }
@@ -274,27 +264,4 @@ fn contacts(cx: &mut Context<'_>, properties: &[Read]) -> Option<Option<[f64; 2]
         return None;
     }
     Some(Some([a, b]))
-}
-
-/// A link's x axis can be laid along one line only.
-fn held_before(cx: &mut Context<'_>, joint: &Joint, guide: &Guide, held: &Held) -> Option<()> {
-    let Some(before) = held.get(&guide.slider) else { return Some(()) };
-    let lines = &cx.names.inside[guide.slider.index()].lines;
-    let line = ["face", "edge", "axis"].into_iter().find(|l| !lines.contains_key(*l)).unwrap_or("line2");
-    let link = cx.builder.mech.link(guide.slider).name.clone();
-    let name = joint.name.node.clone();
-    let error = Diagnosis::error(
-        "mech::geometry::held_twice",
-        format!("the rotation of `{link}` is fixed twice, by `{}` and by `{name}`", before.node),
-    )
-    .primary(joint.name.span, "fixes it again")
-    .label(before.span, format!("fixes the angle of `{link}`"))
-    .help(format!(
-        "give `{link}` a line of its own for this pair: `line {line} through {} along 90 deg` \
-             in the link, and `prismatic {name}: {link}.{line} - …`; a point on a line also fixes \
-             the angle of its link, and the x axis of a link can follow one line only",
-        guide.point_name
-    ));
-    cx.error(error);
-    None
 }

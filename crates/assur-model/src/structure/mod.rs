@@ -25,6 +25,7 @@ pub mod matching;
 mod order;
 mod parting;
 mod place;
+mod places;
 mod renumber;
 mod repeated;
 mod replace;
@@ -62,7 +63,7 @@ pub fn structure(mechanism: &Mechanism) -> Result<(Structure, Vec<Diagnosis>), V
     if !errors.is_empty() {
         return Err(errors);
     }
-    errors.extend(lines::contradiction(mechanism, &replaced));
+    errors.extend(lines::contradiction(trial).or_else(|| places::contradiction(trial)));
     errors.extend(floating::floating(trial));
     errors.extend(roller::turned(mechanism, &replaced.passive));
     if !errors.is_empty() {
@@ -74,7 +75,10 @@ pub fn structure(mechanism: &Mechanism) -> Result<(Structure, Vec<Diagnosis>), V
     let motion = match decompose::decompose(&replaced, &driven, &drives, decompose::Side::Motion) {
         Ok(groups) => match driven.split() {
             Some(split) => return Err(vec![diagnose::of_split(trial, split)]),
-            None => groups,
+            None => match places::parallel(trial) {
+                Some(error) => return Err(vec![error]),
+                None => groups,
+            },
         },
         Err(defect) => {
             return Err(vec![diagnose::of_motion(trial, &count, &defect)]);
@@ -125,7 +129,8 @@ impl Structure {
         let replaced = replace::replace(mechanism);
         // a roller that turns freely may have got what turns it
         let sound = roller::turned(mechanism, &replaced.passive).is_empty();
-        let sound = sound && lines::contradiction(mechanism, &replaced).is_none();
+        let sound =
+            sound && lines::agree(mechanism, &replaced) && places::agree(mechanism, &replaced, &self.drives);
         (sound && replaced.is_alike(&self.replaced)).then(|| Self { replaced, ..self.clone() })
     }
 }

@@ -6,6 +6,7 @@ use super::incidence::Incidence;
 use super::islands::floating_islands;
 use super::joint::{BodyOrigin, JointKind, Replaced};
 use super::lines;
+use super::places;
 use super::replace;
 use super::replace::mark_chains;
 use super::roller::turned;
@@ -109,6 +110,7 @@ impl Trial<'_> {
         let islands = floating_islands(&mechanism);
         let is_whole = islands.iter().flatten().all(|link| gone.contains(link))
             && lines::agree(&mechanism, &replaced)
+            && places::agree(&mechanism, &replaced, &efforts)
             && weld_defects::defects(&mechanism, &replaced).is_empty()
             && turned(&mechanism, &replaced.passive).is_empty();
         Outcome { fit: incidence.fit(), is_whole, incidence }
@@ -116,7 +118,8 @@ impl Trial<'_> {
 
     /// Whether added pairs lay no lines on each other that cannot be parallel.
     pub(super) fn agrees_with(&self, pairs: &[PairKind]) -> bool {
-        lines::agree(self.mechanism, &self.replaced_with(pairs))
+        let replaced = self.replaced_with(pairs);
+        lines::agree(self.mechanism, &replaced) && places::agree(self.mechanism, &replaced, &[])
     }
 
     fn replaced_with(&self, pairs: &[PairKind]) -> Replaced {
