@@ -262,6 +262,7 @@ pub static CODES: &[Code] = codes! {
     "friction" / "no_sliding",
     "assembly" / "does_not_close",
     "assembly" / "ambiguous",
+    "assembly" / "odd_point",
     "assembly" / "hint_not_met",
     "assembly" / "not_found",
     "assembly" / "partial_sweep",
