@@ -202,7 +202,8 @@ pub(super) fn plan_mechanism(
             problems.extend(structure.force_defect.clone().filter(|_| plan.effects.forces));
             (Some(Compiled { mechanism, structure, plan, origin }), problems)
         }
-        Err(errors) => {
+        Err(mut errors) => {
+            super::agrees::tell(&mechanism, &mut errors);
             problems.extend(errors);
             (None, problems)
         }

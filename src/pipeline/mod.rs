@@ -1,5 +1,6 @@
 //! Read, compile, solve, and solve again with other values.
 
+mod agrees;
 mod compile;
 mod critical;
 mod dimensions;

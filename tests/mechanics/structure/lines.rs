@@ -53,7 +53,7 @@ fn faces_lie_on_each_other_or_the_help_lets_them() {
 /// A slider on two parallel guides, whose lines lie `across` from each other and those of the slider `own`.
 fn two_guides(along: f64, turned: f64, across: f64, own: f64) -> String {
     let at = |angle: f64, x: f64, y: f64| {
-        let (sin, cos) = angle.to_radians().sin_cos();
+        let (sin, cos) = libm::sincos(angle.to_radians());
         format!("({:.12} mm, {:.12} mm)", cos * x - sin * y, sin * x + cos * y)
     };
     let (q, t) = (at(along, 30.0, across), at(-turned, 5.0, own));

@@ -1,6 +1,7 @@
 //! Verdicts on structure: the files of use with what is wanted of each, and random linkages against the rank of the
 //! equations of velocity at random dimensions.
 
+mod agrees;
 mod cases;
 mod help;
 mod lines;

@@ -44,6 +44,7 @@ pub use effort::{Effort, EffortKind, EffortSource};
 pub use group::{Dyad, Group, GroupKind};
 pub use joint::GroupJoint;
 pub use joint::{Body, BodyId, BodyOrigin, BodyRate, Joint, JointId, JointKind, Part, Replaced};
+pub use leave_out::{Spare, spare};
 pub use parting::start_what_parts;
 
 use crate::model::Mechanism;
