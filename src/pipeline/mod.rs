@@ -7,6 +7,7 @@ mod dimensions;
 mod equilibrium;
 mod file_variants;
 mod followed;
+mod mends;
 mod open_sizes;
 mod repeated;
 mod solved;

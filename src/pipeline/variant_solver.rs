@@ -90,7 +90,7 @@ impl<'a> VariantSolver<'a> {
         let origin =
             mechanism.asks_again().then(|| Origin { document: Arc::clone(self.document), overrides: origin });
         let known = alike.is_some();
-        let (compiled, problems) = plan_mechanism(mechanism, alike, problems, origin);
+        let (compiled, problems) = plan_mechanism(mechanism, alike, problems, origin, None);
         if let Some(compiled) = &compiled
             && !known
         {

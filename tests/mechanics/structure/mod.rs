@@ -6,6 +6,7 @@ mod cases;
 mod help;
 mod lines;
 mod linkage;
+mod mends;
 mod oracle;
 mod random_linkages;
 mod surplus;
