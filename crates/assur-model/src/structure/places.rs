@@ -197,14 +197,22 @@ impl<'a> Chains<'a> {
         let mut generic = Echelon::new(unknowns);
         let mut rows: Vec<Reduced> = Vec::new();
         let mut found = Vec::new();
-        for (i, condition) in self.conditions.iter().enumerate() {
-            let is_new = generic.add(row(condition.generic.clone()));
-            let reduced = Reduced::of(condition, i, &rows, unknowns);
-            if reduced.pivot.is_some() {
-                rows.push(reduced);
-            } else {
-                found.push(self.repeat(condition, &reduced, is_new));
+        let mut index = 0;
+        for owned in self.conditions.chunk_by(|a, b| a.owner == b.owner) {
+            let (mut repeats, mut at_random) = (Vec::new(), 0);
+            for condition in owned {
+                at_random += usize::from(!generic.add(row(condition.generic.clone())));
+                let reduced = Reduced::of(condition, index, &rows, unknowns);
+                if reduced.pivot.is_some() {
+                    rows.push(reduced);
+                } else {
+                    repeats.push((condition, reduced));
+                }
+                index += 1;
             }
+            // which of the two conditions of a pin repeats depends on the axes
+            let is_special = repeats.len() > at_random;
+            found.extend(repeats.iter().map(|(of, reduced)| self.repeat(of, reduced, is_special)));
         }
         found
     }
