@@ -15,8 +15,10 @@ use crate::model::{LinkId, Mechanism, PairId, PairKind, Value};
 use crate::units::Dimension;
 use assur_text::diagnostic::Diagnosis;
 
-/// Coefficients are at most 1; lengths are compared with the greatest.
+/// Lengths that are nearer to each other are one, over the greatest.
 const SAME: f64 = 1e-9;
+/// Less is nothing but rounding, of coefficients that are at most 1: lines at a small angle are not parallel.
+const ROUNDING: f64 = 1e-13;
 /// Digits of lengths.
 const DIGITS: usize = 12;
 
@@ -278,7 +280,7 @@ impl Reduced {
             }
         }
         let kept = |values: Vec<f64>| -> Vec<(usize, f64)> {
-            values.into_iter().enumerate().filter(|(_, value)| value.abs() > SAME).collect()
+            values.into_iter().enumerate().filter(|(_, value)| value.abs() > ROUNDING).collect()
         };
         let terms = kept(values);
         let pivot = terms.iter().copied().max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()));
