@@ -134,7 +134,15 @@ fn compile_checked(
     let origin = mechanism
         .asks_again()
         .then(|| Origin { document: Arc::clone(document), overrides: overrides.clone() });
-    plan_mechanism(mechanism, None, found, origin)
+    plan_mechanism(mechanism, None, found, origin, Some(Text { source, document, overrides }))
+}
+
+/// Where a mechanism is written.
+#[derive(Clone, Copy)]
+pub(super) struct Text<'a> {
+    pub source: &'a Source,
+    pub document: &'a Document,
+    pub overrides: &'a Overrides,
 }
 
 /// Errors of guides and bars may be those of a pair that is missing or too many.
@@ -184,6 +192,7 @@ pub(super) fn plan_mechanism(
     known: Option<Structure>,
     mut problems: Problems,
     origin: Option<Origin>,
+    text: Option<Text<'_>>,
 ) -> (Option<Compiled>, Problems) {
     if let Err(misfit) = super::repeated::leave_out(&mut mechanism) {
         problems.extend([misfit]);
@@ -202,8 +211,13 @@ pub(super) fn plan_mechanism(
             problems.extend(structure.force_defect.clone().filter(|_| plan.effects.forces));
             (Some(Compiled { mechanism, structure, plan, origin }), problems)
         }
-        Err(errors) => {
-            problems.extend(errors);
+        Err(mut errors) => {
+            super::agrees::tell(&mechanism, &mut errors);
+            let with_fixes = |error| match text {
+                Some(text) => super::mends::with_fixes(error, text),
+                None => error,
+            };
+            problems.extend(errors.into_iter().map(with_fixes));
             (None, problems)
         }
     }
@@ -235,7 +249,7 @@ pub fn fixed(source: &Source, overrides: &Overrides) -> (Source, usize) {
     let mut source = source.clone();
     let mut count = 0;
     for _ in 0..ROUNDS {
-        let (edits, fixes) = certain_edits(&check_source(&source, overrides).1);
+        let (edits, fixes) = certain_edits(&compile(&source, overrides).1);
         if fixes == 0 {
             break;
         }

@@ -1,11 +1,13 @@
 //! Read, compile, solve, and solve again with other values.
 
+mod agrees;
 mod compile;
 mod critical;
 mod dimensions;
 mod equilibrium;
 mod file_variants;
 mod followed;
+mod mends;
 mod open_sizes;
 mod repeated;
 mod solved;

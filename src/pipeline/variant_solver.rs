@@ -90,7 +90,7 @@ impl<'a> VariantSolver<'a> {
         let origin =
             mechanism.asks_again().then(|| Origin { document: Arc::clone(self.document), overrides: origin });
         let known = alike.is_some();
-        let (compiled, problems) = plan_mechanism(mechanism, alike, problems, origin);
+        let (compiled, problems) = plan_mechanism(mechanism, alike, problems, origin, None);
         if let Some(compiled) = &compiled
             && !known
         {
@@ -112,10 +112,16 @@ impl<'a> VariantSolver<'a> {
             self.last = solved;
             return (self.last.as_ref(), problems);
         }
-        match &mut self.quick {
-            FastPath::Rows(quick) => quick.solve(&self.conduct),
-            FastPath::After(_) | FastPath::None => (None, Problems::new()),
+        let FastPath::Rows(quick) = &mut self.quick else { return (None, Problems::new()) };
+        let problems = quick.solve(&self.conduct);
+        // whether slides fit each other is looked at with the structure
+        if problems.has_errors() && quick.solved.compiled.structure.has_slides() {
+            let (solved, problems) = self.solve(row);
+            self.last = solved;
+            return (self.last.as_ref(), problems);
         }
+        let FastPath::Rows(quick) = &self.quick else { return (None, problems) };
+        (quick.is_solved.then_some(&quick.solved), problems)
     }
 
     /// Looks at once for what rows like this one have in common; whether they differ in numbers alone.
@@ -163,6 +169,7 @@ impl<'a> VariantSolver<'a> {
 pub struct FastRows {
     patches: RowPatches,
     solved: Solved,
+    is_solved: bool,
     /// Where it has one position, and nothing is to be said of it.
     again: Option<ReusedSolver>,
     reads: PoseOutputs,
@@ -177,7 +184,7 @@ impl FastRows {
         }
         let again = ReusedSolver::of(&compiled.model(), reads);
         let solved = Solved { compiled, solution: Solution::default(), outcomes: Vec::new(), reached: None };
-        Some(Self { patches, solved, again, reads })
+        Some(Self { patches, solved, is_solved: false, again, reads })
     }
 
     /// Puts a row into the mechanism, its structure and its plan; `None` where it takes more.
@@ -198,8 +205,9 @@ impl FastRows {
         Some(&self.solved.compiled)
     }
 
-    /// The solution of the row that was compiled last, and all that was found on the way.
-    pub fn solve(&mut self, conduct: &IntegrationOptions<'_>) -> (Option<&Solved>, Problems) {
+    /// Solves the row that was compiled last; returns all that was found on the way.
+    pub fn solve(&mut self, conduct: &IntegrationOptions<'_>) -> Problems {
+        self.is_solved = false;
         let Solved { compiled, solution, outcomes, .. } = &mut self.solved;
         let mut problems = Problems::new();
         let again = self.again.as_mut();
@@ -211,11 +219,12 @@ impl FastRows {
             let model = compiled.model();
             match followed(&model, None, None, conduct) {
                 Ok(Some((found, said))) => (*solution, problems) = (found, said),
-                Ok(None) => return (None, problems),
-                Err(problems) => return (None, problems),
+                Ok(None) => return problems,
+                Err(problems) => return problems,
             }
         }
         *outcomes = exercise::evaluate(&compiled.model(), solution, &mut problems);
-        (Some(&self.solved), problems)
+        self.is_solved = true;
+        problems
     }
 }

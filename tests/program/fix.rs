@@ -17,6 +17,17 @@ fn what_is_certain_is_fixed() {
     assert_eq!((again.status, again.stderr.as_str(), again.stdout), (0, "", out.stdout));
 }
 
+/// A pair with a wrong end, where one line in its place makes all determined.
+#[test]
+fn the_one_right_end_is_written() {
+    let right = "ground { A (0, 0); D (3 m, 0) }\nlink crank A-B 1 m\nlink rod B-C 2.5 m\nlink arm D-C 2 m\n\
+                 revolute A: ground - crank\nrevolute B: crank - rod\nrevolute C: rod - arm { radius 10 mm }\n\
+                 revolute D: ground - arm\ndrive crank = 40 deg\nassemble C left of B-D\n";
+    let folder = Folder::new("fix-end").with("a.mech", &right.replace("C: rod - arm", "C: rod.B - arm.C"));
+    let out = assur(&folder, &["check", "--fix", "a.mech"]);
+    assert_eq!((out.status, folder.read("a.mech").as_str()), (0, right), "{}", out.stderr);
+}
+
 #[test]
 fn what_may_mean_several_things_stays() {
     // a unit left out, thousands or decimals, another point, another short word, another unit

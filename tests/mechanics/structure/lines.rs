@@ -49,3 +49,64 @@ fn faces_lie_on_each_other_or_the_help_lets_them() {
         assert!(assur::solve(mended.as_str()).is_ok(), "{help}\n{mended}");
     }
 }
+
+/// A slider on two parallel guides, whose lines lie `across` from each other and those of the slider `own`.
+fn two_guides(along: f64, turned: f64, across: f64, own: f64) -> String {
+    let at = |angle: f64, x: f64, y: f64| {
+        let (sin, cos) = libm::sincos(angle.to_radians());
+        format!("({:.12} mm, {:.12} mm)", cos * x - sin * y, sin * x + cos * y)
+    };
+    let (q, t) = (at(along, 30.0, across), at(-turned, 5.0, own));
+    format!(
+        "ground {{ O (0, 0); Q {q}; line low through O along {along} deg; line high through Q along {along} deg }}
+link box {{ B (0, 0); T {t}; line top through T along {} deg }}
+prismatic a: box.B - ground.low {{ angle {turned} deg }}
+prismatic b: box.top - ground.high
+drive a = 30 mm
+",
+        -turned
+    )
+}
+
+#[test]
+fn guides_are_one_distance_apart_or_the_help_makes_them_so() {
+    let said = |text: &str| {
+        let found = Problem::new("guides", text).check();
+        let error = found.iter().next().unwrap_or_else(|| panic!("nothing said\n{text}"));
+        (error.code.clone().unwrap_or_default(), error.help.clone().unwrap_or_default())
+    };
+    let mut random = Random::new(52);
+    for _ in 0..20 {
+        let [along, turned] = [0, 1].map(|_| random.within(-80.0, 80.0));
+        let across = random.within(5.0, 20.0);
+        let right = two_guides(along, turned, across, across);
+        assert_eq!(said(&right).0, "mech::determinacy::repeated", "{right}");
+        let text = two_guides(along, turned, across, across + random.within(0.1, 4.0));
+        let (code, help) = said(&text);
+        assert_eq!(code, "mech::determinacy::apart", "{text}");
+        let point = help.split('`').nth(1).unwrap_or_default();
+        let (before, rest) = text.split_once("T (").unwrap_or_default();
+        let (_, behind) = rest.split_once(')').unwrap_or_default();
+        let mended = format!("{before}{point}{behind}");
+        assert_eq!(said(&mended).0, "mech::determinacy::repeated", "{help}\n{mended}");
+    }
+}
+
+#[test]
+fn a_wedge_without_a_slope_is_driven_by_its_own_guide_alone() {
+    let wedge = |slope: f64, drive: &str| {
+        wedge(0.0, 90.0, slope, slope - 75.0, None).replace("drive a = -200 mm", drive)
+    };
+    for (slope, drive, is_right) in [
+        (0.0, "drive a = -200 mm", true),
+        (0.0, "drive b = 0 mm", false),
+        (0.0, "drive b = 41 mm", false),
+        (10.0, "drive b = 41 mm", true),
+    ] {
+        let text = wedge(slope, drive);
+        let found = Problem::new("wedge", text.as_str()).check();
+        let says = found.iter().any(|d| d.code.as_deref() == Some("mech::determinacy::parallel"));
+        assert_eq!(says, !is_right, "{text}");
+        assert_eq!(assur::solve(text.as_str()).is_ok(), is_right, "{text}");
+    }
+}

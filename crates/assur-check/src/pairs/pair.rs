@@ -4,7 +4,7 @@ use crate::expr::context::Context;
 use crate::links::lookup::is_linkage_pair;
 use crate::names::declared::Inside;
 use crate::names::suggestion::{not_declared, wrong_kind};
-use crate::pairs::prismatic::{Held, guide};
+use crate::pairs::prismatic::guide;
 use crate::pairs::property::{Shared, phrase, read_own as read, shared, with_shared};
 use crate::pairs::{contact, friction, weld};
 use crate::statements::written::{end_text, line_of, write_one};
@@ -19,7 +19,6 @@ use assur_text::source::Span;
 pub(crate) fn pairs(cx: &mut Context<'_>) {
     let doc = cx.doc;
     let shared = shared(cx);
-    let mut held = Held::new();
     for statement in &doc.statements {
         let Statement::Joint(joint) = &statement.node else { continue };
         if !cx.is_own(&joint.name) {
@@ -28,7 +27,7 @@ pub(crate) fn pairs(cx: &mut Context<'_>) {
         if !is_linkage_pair(joint.kind.node) {
             continue;
         }
-        if let Some((kind, law, at_rest)) = pair(cx, joint, &shared, &mut held) {
+        if let Some((kind, law, at_rest)) = pair(cx, joint, &shared) {
             let id = PairId::at(cx.builder.mech.pairs.len());
             cx.builder.hinges.enter(&kind, id);
             cx.builder.hinges.enter_guide(&kind, id);
@@ -46,7 +45,6 @@ fn pair(
     cx: &mut Context<'_>,
     joint: &Joint,
     shared: &Shared,
-    held: &mut Held,
 ) -> Option<(PairKind, Option<friction::Law>, Option<Friction>)> {
     let read = read(cx, joint);
     let ends = ends(cx, joint)?;
@@ -54,7 +52,7 @@ fn pair(
     let properties = read.and_then(|own| with_shared(cx, joint, own, shared));
     let kind = match joint.kind.node {
         JointKind::Revolute => hinge,
-        JointKind::Prismatic | JointKind::Slot => guide(cx, joint, &ends, properties.as_deref(), held),
+        JointKind::Prismatic | JointKind::Slot => guide(cx, joint, &ends, properties.as_deref()),
         JointKind::Contact => contact::contact(cx, joint, &ends, properties.as_deref()),
         JointKind::Weld => weld::weld(cx, joint, &ends, properties.as_deref()),
         _ => cylinder(cx, joint, &ends),

@@ -6,17 +6,12 @@ use crate::names::suggestion::{not_declared, suggestion};
 use crate::pairs::pair::{Joined, nothing_to_join};
 use crate::pairs::property::phrase;
 use crate::statements::written::{end_text, line_of};
-use crate::values::format_value::digits;
 use assur_math::math::Vec2;
-use assur_model::model::{Guide, Line, LinkId, Pair, PairKind};
-use assur_syntax::document::{End, Joint, JointKind, Member, Name, Statement};
+use assur_model::model::{Guide, Line, LinkId, PairKind};
+use assur_syntax::document::{End, Joint, JointKind, Member, Statement};
 use assur_text::diagnostic::{Diagnosis, Help, did_you_mean};
 use assur_text::source::Spanned;
 use assur_text::units::Dimension;
-use indexmap::IndexMap;
-
-/// The links whose angle a pair of point and line fixes already, with that pair's name.
-pub(crate) type Held = IndexMap<LinkId, Name>;
 
 /// What an end of the pair is.
 enum Part {
@@ -30,14 +25,12 @@ pub(crate) fn guide(
     joint: &Joint,
     ends: &[Joined],
     properties: Option<&[Read]>,
-    held: &mut Held,
 ) -> Option<PairKind> {
     let [first, second] = ends else { return None };
     let parts = (part(cx, joint, first), part(cx, joint, second));
     let properties = properties.unwrap_or_default();
     let angle = find(properties, "angle");
     let parts = (parts.0?, parts.1?);
-    let by_point = !matches!(parts, (Part::Line(_), Part::Line(_)));
     let mut guide = match parts {
         (Part::Point(point), Part::Line(line)) => {
             point_on_line(first, point, second.link, line, angle, false)
@@ -53,10 +46,6 @@ pub(crate) fn guide(
     guide.contacts = contacts(cx, properties)?;
     if joint.kind.node == JointKind::Slot {
         return Some(PairKind::Slot(guide));
-    }
-    if by_point {
-        held_before(cx, joint, &guide, held)?;
-        held.insert(guide.slider, joint.name.clone());
     }
     Some(PairKind::Prismatic(guide))
 }
@@ -275,61 +264,4 @@ fn contacts(cx: &mut Context<'_>, properties: &[Read]) -> Option<Option<[f64; 2]
         return None;
     }
     Some(Some([a, b]))
-}
-
-/// A link's x axis can be laid along one line only.
-fn held_before(cx: &mut Context<'_>, joint: &Joint, guide: &Guide, held: &Held) -> Option<()> {
-    let Some(before) = held.get(&guide.slider) else { return Some(()) };
-    let lines = &cx.names.inside[guide.slider.index()].lines;
-    let line = ["face", "edge", "axis"].into_iter().find(|l| !lines.contains_key(*l)).unwrap_or("line2");
-    let link = cx.builder.mech.link(guide.slider).name.clone();
-    let name = joint.name.node.clone();
-    let along = angle(cx, guide.guide, 0).zip(angle(cx, guide.slider, 0)).map_or(90.0, |(base, own)| {
-        let turned = (base + direction(guide.along) - own).to_degrees() % 180.0;
-        // a line has two directions, of which the flatter is written
-        if turned > 90.0 {
-            turned - 180.0
-        } else if turned <= -90.0 {
-            turned + 180.0
-        } else {
-            turned
-        }
-    });
-    let along = digits((along * 1e6).round() / 1e6);
-    let error = Diagnosis::error(
-        "mech::geometry::held_twice",
-        format!("the rotation of `{link}` is fixed twice, by `{}` and by `{name}`", before.node),
-    )
-    .primary(joint.name.span, "fixes it again")
-    .label(before.span, format!("fixes the angle of `{link}`"))
-    .help(format!(
-        "give `{link}` a line of its own for this pair: `line {line} through {} along {along} deg` \
-             in the link, and `prismatic {name}: {link}.{line} - {}.{}`; a point on a line also fixes \
-             the angle of its link, and the x axis of a link can follow one line only",
-        guide.point_name,
-        cx.builder.mech.link(guide.guide).name,
-        guide.line_name
-    ));
-    cx.error(error);
-    None
-}
-
-fn direction(along: Vec2) -> f64 {
-    libm::atan2(along.y, along.x)
-}
-
-/// The angle of a link that prismatic pairs alone keep, rad.
-fn angle(cx: &Context<'_>, link: LinkId, depth: usize) -> Option<f64> {
-    if link == LinkId::GROUND {
-        return Some(0.0);
-    }
-    let pairs = &cx.builder.mech.pairs;
-    let keeps = |pair: &Pair| match &pair.kind {
-        PairKind::Prismatic(g) if g.slider == link => {
-            let base = angle(cx, g.guide, depth + 1)?;
-            Some(base + direction(g.along) - direction(g.direction))
-        }
-        _ => None,
-    };
-    if depth > pairs.len() { None } else { pairs.iter().find_map(keeps) }
 }

@@ -2,7 +2,7 @@
 
 use super::defect::{Defect, Fit};
 use super::joint::BodyId;
-use super::trial::Trial;
+use super::trial::{Change, Trial};
 use super::uses::Uses;
 use super::words::{ends, free_name, is_taken, line, links, pairs_of};
 use crate::math::Vec2;
@@ -78,6 +78,22 @@ pub(super) fn missing_pairs(trial: Trial<'_>, defect: &Defect, among: &[BodyId])
         now = fit;
     }
     (!lines.is_empty()).then_some(Missing::Together { lines, pairs: chosen, left: now })
+}
+
+/// A weld that holds all, where a link is free in its place and in its angle.
+pub(super) fn missing_weld(trial: Trial<'_>, defect: &Defect, among: &[BodyId]) -> Option<String> {
+    if defect.fit != (Fit { missing: 3, surplus: 0 }) {
+        return None;
+    }
+    let loose: Vec<LinkId> = links(trial.replaced, among).collect();
+    let welds = candidates(trial, &loose, None).into_iter().filter_map(|candidate| {
+        let PairKind::Revolute(pins) = candidate.kind else { return None };
+        let kind = PairKind::Weld { pins, angle: 0.0 };
+        (candidate.used <= MOST_USED).then_some(Candidate { kind, ..candidate })
+    });
+    let mut welds = welds.take(MOST_SHOWN);
+    let weld = welds.find(|weld| trial.after(&Change::adding(weld.kind.clone())).is_sound())?;
+    written(trial.mechanism, &weld, &[])
 }
 
 /// The line of a candidate, under a name that nothing has, the lines before it included.

@@ -4,7 +4,7 @@ use assur_text::diagnostic::{Diagnosis, Fix};
 use miette::LabeledSpan;
 
 use super::add_effort::{Adds, efforts_beside, missing_efforts};
-use super::add_pair::{Missing, missing_meshes, missing_pairs};
+use super::add_pair::{Missing, missing_meshes, missing_pairs, missing_weld};
 use super::count::Count;
 use super::defect::{Defect, Fit, Part};
 use super::effort::{Effort, EffortSource};
@@ -364,6 +364,7 @@ fn to_add(trial: Trial<'_>, count: &Count, defect: &Defect) -> String {
     let pairs = looks.then(|| missing_pairs(trial, defect, &defect.loose)).flatten();
     if let Some(missing) = pairs {
         text += &pairs_to_add(trial, missing, &defect.loose);
+        text += &or_weld(trial, defect, &defect.loose);
         if is_structure {
             return text;
         }
@@ -404,6 +405,12 @@ pub(super) fn pairs_to_add(trial: Trial<'_>, missing: Missing, among: &[BodyId])
             with_lines(&format!("pairs may be missing; add {}", add_words(&lines, false)), &lines)
         }
     }
+}
+
+/// A weld in place of the pairs that are added.
+pub(super) fn or_weld(trial: Trial<'_>, defect: &Defect, among: &[BodyId]) -> String {
+    let line = missing_weld(trial, defect, among);
+    line.map_or_else(String::new, |line| with_lines("\nor a weld: add the line", &[line]))
 }
 
 /// How many of the lines to add.

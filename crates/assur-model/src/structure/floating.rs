@@ -2,7 +2,7 @@
 
 use super::add_pair::missing_pairs;
 use super::defect::Defect;
-use super::diagnose::pairs_to_add;
+use super::diagnose::{or_weld, pairs_to_add};
 use super::incidence::Incidence;
 use super::islands::floating_islands;
 use super::joint::{Body, BodyId};
@@ -82,8 +82,10 @@ fn describe(trial: Trial<'_>, defect: Option<&Defect>, links: &[LinkId]) -> Diag
 fn help(trial: Trial<'_>, defect: Option<&Defect>, links: &[LinkId]) -> String {
     let it = if links.len() == 1 { "it" } else { "them" };
     let bodies: Vec<BodyId> = links.iter().map(|l| trial.replaced.body_of(*l)).collect();
-    if let Some(missing) = defect.and_then(|defect| missing_pairs(trial, defect, &bodies)) {
-        return format!("{}\nor remove {it}", pairs_to_add(trial, missing, &bodies));
+    let missing = defect.and_then(|defect| Some((defect, missing_pairs(trial, defect, &bodies)?)));
+    if let Some((defect, missing)) = missing {
+        let weld = or_weld(trial, defect, &bodies);
+        return format!("{}{weld}\nor remove {it}", pairs_to_add(trial, missing, &bodies));
     }
     let mechanism = trial.mechanism;
     let named = links.iter().find_map(|l| Some((mechanism.link(*l), mechanism.link(*l).points.last()?)));

@@ -2,10 +2,13 @@
 //! it.
 
 use super::defect::{Defect, Fit, Part};
-use super::effort::{Effort, EffortKind, EffortSource};
+use super::effort::{self, Effort, EffortKind, EffortSource};
+use super::incidence::Incidence;
 use super::order::{Named, Order, Rank};
-use super::trial::{Change, Outcome, Statement, Trial};
+use super::replace;
+use super::trial::{Change, Outcome, Statement, Trial, leave_out, leave_out_link};
 use super::words::{is_structure, line, pairs_of, statement};
+use crate::math::Vec2;
 use crate::model::{Guide, LinkId, Mechanism, PairId, PairKind, Pin, Rate};
 
 /// Changes tried of each sort.
@@ -24,6 +27,8 @@ pub(super) struct Mend {
     /// Another statement names what it leaves out.
     is_needed: bool,
     rank: Rank,
+    /// What it leaves out alone.
+    left_out: Option<Statement>,
 }
 
 /// What a change does, in the words of a help.
@@ -47,6 +52,51 @@ fn effort_statement(mechanism: &Mechanism, source: EffortSource) -> String {
             format!("`{} {}`", if drive.free { "start" } else { "drive" }, drive.written_name())
         }
         EffortSource::Balance(id) => format!("`balance {}`", mechanism.balances[id.index()].name),
+    }
+}
+
+/// What a help says first to leave out of a mechanism that is held once too often, if that makes all determined.
+#[must_use]
+pub fn spare(mechanism: &Mechanism) -> Option<Spare> {
+    let replaced = replace::replace(mechanism);
+    let efforts = effort::of_drives(mechanism, &replaced);
+    let trial = Trial { mechanism, replaced: &replaced, efforts: &efforts };
+    let defect = Incidence::new(&replaced, &efforts).defect(&replaced)?;
+    let [part] = defect.over.as_slice() else { return None };
+    let mends = Repair { trial, defect: &defect, part }.mends();
+    match mends.into_iter().find(|mend| mend.heals)?.left_out? {
+        Statement::Pair(pair) => Some(Spare::Pair(pair)),
+        Statement::Link(link) => Some(Spare::Link(link)),
+        Statement::Effort(_) => None,
+    }
+}
+
+/// A pair, or a link with its pairs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Spare {
+    Pair(PairId),
+    Link(LinkId),
+}
+
+impl Spare {
+    /// The mechanism without it. Links and pairs keep their numbers: the pairs join nothing, and the link rests on the ground.
+    #[must_use]
+    pub fn taken_out(self, mechanism: &Mechanism) -> Option<Mechanism> {
+        let mut left = mechanism.clone();
+        match self {
+            Self::Pair(pair) => {
+                leave_out(&mut left.pairs[pair.index()].kind);
+            }
+            Self::Link(link) => {
+                let own = pairs_of(mechanism, link);
+                leave_out_link(&mut left, link);
+                let free = own.into_iter().find(|pair| left.pair(*pair).kind.links().is_empty())?;
+                let at = Vec2::zero();
+                let pins = [LinkId::GROUND, link].map(|link| Pin { link, name: String::new(), at });
+                left.pairs[free.index()].kind = PairKind::Weld { pins: pins.to_vec(), angle: 0.0 };
+            }
+        }
+        Some(left)
     }
 }
 
@@ -90,18 +140,25 @@ impl Repair<'_> {
         let order = Order::of(self.trial);
         let named = Named::of(self.trial.mechanism);
         let most = self.trial.most_tried(MOST_TRIED);
-        let mend =
-            |what, text, rank, is_needed| Mend { what, text, unmoved: 0, heals: false, is_needed, rank };
+        let mend = |what, text, rank, is_needed, left_out| Mend {
+            what,
+            text,
+            unmoved: 0,
+            heals: false,
+            is_needed,
+            rank,
+            left_out,
+        };
         let mut statements = self.statements();
         statements.sort_by_key(|statement| (named.has(*statement), order.rank(*statement)));
         let left_out = statements.into_iter().take(2 * most).map(|one| {
             let (sort, text) = self.words(one);
-            (mend(sort, text, order.rank(one), named.has(one)), Change::without(one))
+            (mend(sort, text, order.rank(one), named.has(one), Some(one)), Change::without(one))
         });
         let written = self.rewritten().into_iter().take(most).map(|(pair, kind, line)| {
             let text = format!("`{line}` in place of {}", statement(self.trial.mechanism, pair));
             let rank = order.rank(Statement::Pair(pair));
-            (mend(Sort::Written, text, rank, false), Change::writing(pair, kind))
+            (mend(Sort::Written, text, rank, false, None), Change::writing(pair, kind))
         });
         left_out.chain(written).collect()
     }
@@ -202,7 +259,7 @@ impl Repair<'_> {
             now.surplus + self.part.surplus == self.defect.fit.surplus
                 && now.missing == self.defect.fit.missing
         };
-        let needless = tried.filter(|&&e| of_part(self.trial.without(&[], &[e]).fit()));
+        let needless = tried.filter(|&&e| of_part(self.trial.without_effort(e).fit()));
         let mechanism = self.trial.mechanism;
         let mut lines: Vec<String> =
             needless.map(|&e| effort_statement(mechanism, self.trial.efforts[e].source)).collect();
@@ -214,28 +271,25 @@ impl Repair<'_> {
     /// Pairs and efforts that together leave no condition too many in the part, where no single one does, and the number of
     /// freedoms that they make loose: as few as can be found one after another.
     pub(super) fn together(&self) -> Option<(Vec<String>, usize)> {
-        let mechanism = self.trial.mechanism;
         let most = self.trial.most_tried(MOST_TRIED);
-        let (mut pairs, mut efforts, mut texts) = (Vec::new(), Vec::new(), Vec::new());
+        let pairs = self.undriven_pairs().take(most).map(Statement::Pair);
+        let mut left: Vec<Statement> =
+            pairs.chain(self.part.efforts.iter().copied().map(Statement::Effort)).collect();
+        let mut out = Vec::new();
         let mut now = self.defect.fit;
         while now.surplus + self.part.surplus > self.defect.fit.surplus {
-            let of_pair =
-                self.undriven_pairs().take(most).filter(|p| !pairs.contains(p)).map(|p| (Some(p), None));
-            let of_effort =
-                self.part.efforts.iter().filter(|e| !efforts.contains(*e)).map(|&e| (None, Some(e)));
-            let fits = of_pair.chain(of_effort).map(|(pair, effort)| {
-                let with_pair: Vec<PairId> = pairs.iter().copied().chain(pair).collect();
-                let with_effort: Vec<usize> = efforts.iter().copied().chain(effort).collect();
-                (self.trial.without(&with_pair, &with_effort).fit(), pair, effort)
-            });
+            let without = |statement: Statement| {
+                let all = out.iter().copied().chain([statement]).collect();
+                self.trial.after(&Change::without_all(all)).fit
+            };
+            let fits = left.iter().map(|&statement| (without(statement), statement));
             let lesser = fits.filter(|f| f.0.surplus < now.surplus);
-            let (fit, pair, effort) = lesser.min_by_key(|f| (f.0.missing, f.0.surplus))?;
-            texts.extend(pair.map(|p| statement(mechanism, p)));
-            texts.extend(effort.map(|e| effort_statement(mechanism, self.trial.efforts[e].source)));
-            pairs.extend(pair);
-            efforts.extend(effort);
+            let (fit, statement) = lesser.min_by_key(|f| (f.0.missing, f.0.surplus))?;
+            out.push(statement);
+            left.retain(|other| *other != statement);
             now = fit;
         }
+        let texts = out.iter().map(|one| self.words(*one).1).collect();
         Some((texts, now.missing.saturating_sub(self.defect.fit.missing)))
     }
 
@@ -244,7 +298,7 @@ impl Repair<'_> {
         let (part, defect) = (self.part, self.defect);
         let mut found = Vec::new();
         for pair in self.undriven_pairs().take(self.trial.most_tried(MOST_TRIED)) {
-            let now = self.trial.without(&[pair], &[]).fit();
+            let now = self.trial.after(&Change::without(Statement::Pair(pair))).fit;
             if now.surplus + part.surplus == defect.fit.surplus {
                 found.push((
                     statement(self.trial.mechanism, pair),

@@ -6,8 +6,10 @@ use std::f64::consts::PI;
 
 use assur_text::diagnostic::Diagnosis;
 
-use super::joint::{JointKind, Replaced};
+use super::joint::{JointId, JointKind, Replaced};
 use super::roller::listed;
+use super::trial::{Change, Statement, Trial};
+use super::words::statement;
 use crate::math::Vec2;
 use crate::model::{Guide, Mechanism, PairId, PairKind};
 use crate::units::significant;
@@ -16,8 +18,9 @@ use crate::units::significant;
 const SAME: f64 = 1e-9;
 
 /// A prismatic pair between two bodies: the angle of the slider is that of the guide and this.
-struct Edge {
-    pair: PairId,
+pub(super) struct Edge {
+    pub pair: PairId,
+    pub joint: JointId,
     slider: usize,
     guide: usize,
     turned: f64,
@@ -27,18 +30,21 @@ struct Edge {
 
 /// Where a body stands among those that prismatic pairs join.
 #[derive(Clone, Copy)]
-struct Placed {
-    angle: f64,
+pub(super) struct Placed {
+    /// The first body of its chain, from which angles count.
+    pub root: usize,
+    pub angle: f64,
     /// The edge and the body by which it was reached.
     by: Option<(usize, usize)>,
 }
 
 /// The first prismatic pair whose two lines cannot be parallel.
-pub(super) fn contradiction(mechanism: &Mechanism, replaced: &Replaced) -> Option<Diagnosis> {
+pub(super) fn contradiction(trial: Trial<'_>) -> Option<Diagnosis> {
+    let Trial { mechanism, replaced, .. } = trial;
     let (edges, placed) = chains(mechanism, replaced);
     let edge = edges.iter().find(|edge| is_off(edge, &placed))?;
     let PairKind::Prismatic(own) = &mechanism.pair(edge.pair).kind else { return None };
-    Some(apart(mechanism, replaced, (&edges, &placed), (edge, own)))
+    Some(apart(trial, (&edges, &placed), (edge, own)))
 }
 
 /// Whether all lines that prismatic pairs lay on each other can be parallel; pairs may be among them that the mechanism has not.
@@ -53,12 +59,13 @@ fn is_off(edge: &Edge, placed: &[Option<Placed>]) -> bool {
 }
 
 /// The prismatic pairs, those by a point first, so that lines on lines close the chains; and where they place the bodies.
-fn chains(mechanism: &Mechanism, replaced: &Replaced) -> (Vec<Edge>, Vec<Option<Placed>>) {
-    let joints = replaced.joints.iter();
-    let edge = joints.filter_map(|joint| {
+pub(super) fn chains(mechanism: &Mechanism, replaced: &Replaced) -> (Vec<Edge>, Vec<Option<Placed>>) {
+    let joints = replaced.joints.iter().enumerate();
+    let edge = joints.filter_map(|(i, joint)| {
         let JointKind::Prismatic { slider, direction, guide, along, .. } = joint.kind else { return None };
         let turned = angle(along) - angle(direction);
-        Some(Edge { pair: joint.pair, slider: slider.0, guide: guide.0, turned, kept: false })
+        let (slider, guide) = (slider.0, guide.0);
+        Some(Edge { pair: joint.pair, joint: JointId(i), slider, guide, turned, kept: false })
     });
     let mut edges: Vec<Edge> = edge.collect();
     if edges.len() < 2 {
@@ -86,7 +93,7 @@ fn place(edges: &mut [Edge], bodies: usize) -> Vec<Option<Placed>> {
         if placed[root].is_some() {
             continue;
         }
-        placed[root] = Some(Placed { angle: 0.0, by: None });
+        placed[root] = Some(Placed { root, angle: 0.0, by: None });
         let mut queue = VecDeque::from([(root, 0.0)]);
         while let Some((body, angle)) = queue.pop_front() {
             for (index, edge) in edges.iter().enumerate().filter(|(_, edge)| edge.kept) {
@@ -96,7 +103,7 @@ fn place(edges: &mut [Edge], bodies: usize) -> Vec<Option<Placed>> {
                     _ => continue,
                 };
                 if placed[next].is_none() {
-                    placed[next] = Some(Placed { angle: angle + turned, by: Some((index, body)) });
+                    placed[next] = Some(Placed { root, angle: angle + turned, by: Some((index, body)) });
                     queue.push_back((next, angle + turned));
                 }
             }
@@ -107,22 +114,18 @@ fn place(edges: &mut [Edge], bodies: usize) -> Vec<Option<Placed>> {
 
 /// A prismatic pair whose lines have two directions, and the number that makes them one.
 fn apart(
-    mechanism: &Mechanism,
-    replaced: &Replaced,
+    trial: Trial<'_>,
     (edges, placed): (&[Edge], &[Option<Placed>]),
     (edge, own): (&Edge, &Guide),
 ) -> Diagnosis {
+    let Trial { mechanism, replaced, .. } = trial;
     let Edge { slider, guide, .. } = *edge;
     let pair = mechanism.pair(edge.pair);
     let angle_of = |body: usize| placed[body].map_or(0.0, |placed| placed.angle);
     let part = |link| replaced.part(link).map_or(0.0, |part| part.angle);
     let (link, base) = (&mechanism.link(own.slider).name, &mechanism.link(own.guide).name);
-    let [slides, lies] = [
-        angle_of(slider) + part(own.slider) + angle(own.direction),
-        angle_of(guide) + part(own.guide) + angle(own.along),
-    ];
-    let wanted = angle(own.direction) + lies - slides;
-    let what = own.own_line.as_ref().map_or_else(|| "line".to_owned(), |line| format!("`{line}`"));
+    let stands = angle_of(slider) + part(own.slider);
+    let lies = angle_of(guide) + part(own.guide) + angle(own.along);
     let by = |body: usize| {
         let mut names = Vec::new();
         let mut at = placed[body];
@@ -132,27 +135,42 @@ fn apart(
         }
         if names.is_empty() { String::new() } else { format!(" (by {})", listed(&names, "and")) }
     };
-    let help = own.own_line.as_ref().map_or_else(
-        || format!("write `angle {}` in `{}`", degrees(-wanted), pair.name),
-        |line| {
-            let through = &own.point_name;
-            format!("write `line {line} through {through} along {}` in `{link}`", degrees(wanted))
-        },
-    );
+    let (own_angle, wanted) = (angle(own.direction), degrees(lies - stands));
+    let (what, help, aside) = match &own.own_line {
+        Some(line) => (
+            format!("`{line}` of `{link}` lies at {}", degrees(stands + own_angle)),
+            format!("write `line {line} through {} along {wanted}` in `{link}`", own.point_name),
+            String::new(),
+        ),
+        None => (
+            format!("the x axis of `{link}` lies at {}", degrees(stands)),
+            format!("write `angle {}` in `{}`", degrees(stands - lies), pair.name),
+            if own_angle == 0.0 {
+                String::new()
+            } else {
+                format!(", and `angle` is {}", degrees(-own_angle))
+            },
+        ),
+    };
+    let line = &own.line_name;
     Diagnosis::error(
         "mech::determinacy::not_parallel",
         format!(
-            "`prismatic {}` cannot hold: {what} of `{link}` lies at {}{}, `{}` of `{base}` at {}{}",
+            "`prismatic {}` cannot hold: {what}{}, `{line}` of `{base}` at {}{}{aside}",
             pair.name,
-            degrees(slides),
             by(slider),
-            own.line_name,
             degrees(lies),
             by(guide),
         ),
     )
     .label(pair.span, "lays two lines on each other that are not parallel")
-    .help(help)
+    .help(or_without(trial, edge.pair, help))
+}
+
+/// A help, and the other one where a pair is too many.
+pub(super) fn or_without(trial: Trial<'_>, pair: PairId, help: String) -> String {
+    let is_spare = trial.after(&Change::without(Statement::Pair(pair))).is_sound();
+    if is_spare { format!("{help}, or leave out {}", statement(trial.mechanism, pair)) } else { help }
 }
 
 fn degrees(angle: f64) -> String {
@@ -165,6 +183,6 @@ fn wrapped(angle: f64) -> f64 {
     angle - turns * 2.0 * PI
 }
 
-fn angle(direction: Vec2) -> f64 {
+pub(super) fn angle(direction: Vec2) -> f64 {
     libm::atan2(direction.y, direction.x)
 }

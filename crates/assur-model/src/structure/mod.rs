@@ -25,6 +25,7 @@ pub mod matching;
 mod order;
 mod parting;
 mod place;
+mod places;
 mod renumber;
 mod repeated;
 mod replace;
@@ -43,6 +44,7 @@ pub use effort::{Effort, EffortKind, EffortSource};
 pub use group::{Dyad, Group, GroupKind};
 pub use joint::GroupJoint;
 pub use joint::{Body, BodyId, BodyOrigin, BodyRate, Joint, JointId, JointKind, Part, Replaced};
+pub use leave_out::{Spare, spare};
 pub use parting::start_what_parts;
 
 use crate::model::Mechanism;
@@ -62,7 +64,7 @@ pub fn structure(mechanism: &Mechanism) -> Result<(Structure, Vec<Diagnosis>), V
     if !errors.is_empty() {
         return Err(errors);
     }
-    errors.extend(lines::contradiction(mechanism, &replaced));
+    errors.extend(lines::contradiction(trial).or_else(|| places::contradiction(trial)));
     errors.extend(floating::floating(trial));
     errors.extend(roller::turned(mechanism, &replaced.passive));
     if !errors.is_empty() {
@@ -74,7 +76,10 @@ pub fn structure(mechanism: &Mechanism) -> Result<(Structure, Vec<Diagnosis>), V
     let motion = match decompose::decompose(&replaced, &driven, &drives, decompose::Side::Motion) {
         Ok(groups) => match driven.split() {
             Some(split) => return Err(vec![diagnose::of_split(trial, split)]),
-            None => groups,
+            None => match places::parallel(trial) {
+                Some(error) => return Err(vec![error]),
+                None => groups,
+            },
         },
         Err(defect) => {
             return Err(vec![diagnose::of_motion(trial, &count, &defect)]);
@@ -109,6 +114,13 @@ pub fn structure(mechanism: &Mechanism) -> Result<(Structure, Vec<Diagnosis>), V
 }
 
 impl Structure {
+    /// Whether there are slides that may contradict or repeat each other at other numbers.
+    #[must_use]
+    pub fn has_slides(&self) -> bool {
+        let slides = |joint: &&Joint| matches!(joint.kind, JointKind::Prismatic { .. });
+        self.replaced.joints.iter().filter(slides).count() > 1
+    }
+
     /// The structure of another mechanism of the same text whose values differ from this one's; `None` where that takes
     /// more than other numbers: a defect, a driven point, or joints of another kind.
     #[must_use]
@@ -125,7 +137,8 @@ impl Structure {
         let replaced = replace::replace(mechanism);
         // a roller that turns freely may have got what turns it
         let sound = roller::turned(mechanism, &replaced.passive).is_empty();
-        let sound = sound && lines::contradiction(mechanism, &replaced).is_none();
+        let sound =
+            sound && lines::agree(mechanism, &replaced) && places::agree(mechanism, &replaced, &self.drives);
         (sound && replaced.is_alike(&self.replaced)).then(|| Self { replaced, ..self.clone() })
     }
 }

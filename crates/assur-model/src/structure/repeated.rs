@@ -45,7 +45,7 @@ fn repeated_guide(trial: Trial<'_>, count: &Count, defect: &Defect) -> Option<Di
     for (i, (pair, ends, along)) in guides.iter().enumerate().rev() {
         let parallel = |g: &&(PairId, [BodyId; 2], Vec2)| g.1 == *ends && g.2.cross(*along).abs() <= SAME;
         let Some((other, ..)) = guides[..i].iter().find(parallel) else { continue };
-        let now = trial.without(&[*pair], &[]).fit();
+        let now = trial.after(&Change::without(Statement::Pair(*pair))).fit;
         if now.surplus < defect.fit.surplus && now.missing == defect.fit.missing {
             return Some(of_guides(trial, count, *pair, *other));
         }

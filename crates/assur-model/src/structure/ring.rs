@@ -9,7 +9,7 @@ use std::collections::BTreeMap;
 use super::count::Count;
 use super::defect::{Defect, Part};
 use super::roller::{label, listed};
-use super::trial::Trial;
+use super::trial::{Change, Statement, Trial};
 use super::words::statement;
 use crate::model::{LinkId, Mechanism, PairId, PairKind, Rate};
 
@@ -26,7 +26,8 @@ pub(super) fn repeated_mesh(trial: Trial<'_>, count: &Count, defect: &Defect) ->
     let mechanism = trial.mechanism;
     let part = defect.over.iter().find(|part| agree(mechanism, part))?;
     let closing: Vec<PairId> = rings(mechanism, part).iter().map(|r| r.closing).collect();
-    let now = trial.without(&closing, &[]).fit();
+    let out = closing.iter().map(|pair| Statement::Pair(*pair)).collect();
+    let now = trial.after(&Change::without_all(out)).fit;
     if now.surplus >= defect.fit.surplus || now.missing > defect.fit.missing {
         return None;
     }

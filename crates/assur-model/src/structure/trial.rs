@@ -4,13 +4,15 @@ use super::defect::Fit;
 use super::effort::{self, Effort, EffortKind, EffortSource, X_AXES};
 use super::incidence::Incidence;
 use super::islands::floating_islands;
-use super::joint::{BodyOrigin, JointKind, Replaced};
+use super::joint::Replaced;
 use super::lines;
+use super::places;
 use super::replace;
 use super::replace::mark_chains;
 use super::roller::turned;
 use super::weld_defects;
-use crate::model::{DriveId, LinkId, Mechanism, PairId, PairKind};
+use crate::model::{DriveId, LinkId, Mechanism, Pair, PairId, PairKind};
+use crate::source::Span;
 
 /// A mechanism to be changed.
 #[derive(Clone, Copy)]
@@ -29,20 +31,29 @@ pub(super) enum Statement {
     Effort(usize),
 }
 
-/// Statements that go, and pairs as they would be written.
+/// Statements that go, pairs as they would be written, and more pairs.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Change {
     pub out: Vec<Statement>,
     pub written: Vec<(PairId, PairKind)>,
+    pub added: Vec<PairKind>,
 }
 
 impl Change {
     pub(super) fn without(statement: Statement) -> Self {
-        Self { out: vec![statement], written: Vec::new() }
+        Self::without_all(vec![statement])
+    }
+
+    pub(super) fn without_all(out: Vec<Statement>) -> Self {
+        Self { out, ..Self::default() }
+    }
+
+    pub(super) fn adding(kind: PairKind) -> Self {
+        Self { added: vec![kind], ..Self::default() }
     }
 
     pub(super) fn writing(pair: PairId, kind: PairKind) -> Self {
-        Self { out: Vec::new(), written: vec![(pair, kind)] }
+        Self { written: vec![(pair, kind)], ..Self::default() }
     }
 }
 
@@ -70,13 +81,10 @@ impl Trial<'_> {
         might.min(4 + EFFORT / self.replaced.bodies.len())
     }
 
-    /// Leaves out pairs, and drives or unknown efforts.
-    pub(super) fn without(&self, pairs: &[PairId], efforts: &[usize]) -> Incidence {
-        let mut replaced = self.replaced.clone();
-        remove_pairs(&mut replaced, pairs);
-        mark_chains(&mut replaced);
-        let left = self.efforts.iter().enumerate().filter(|(i, _)| !efforts.contains(i));
-        Incidence::new(&replaced, &left.map(|(_, e)| e.clone()).collect::<Vec<_>>())
+    /// Leaves out a drive or an unknown effort.
+    pub(super) fn without_effort(&self, effort: usize) -> Incidence {
+        let left = self.efforts.iter().enumerate().filter(|(i, _)| *i != effort);
+        Incidence::new(self.replaced, &left.map(|(_, e)| e.clone()).collect::<Vec<_>>())
     }
 
     /// The mechanism with statements left out or written anew. Pairs keep their numbers: one that goes joins nothing.
@@ -100,6 +108,13 @@ impl Trial<'_> {
         for (pair, kind) in &change.written {
             mechanism.pairs[pair.index()].kind = kind.clone();
         }
+        mechanism.pairs.extend(change.added.iter().cloned().map(|kind| Pair {
+            name: String::new(),
+            span: Span::default(),
+            kind,
+            friction: None,
+            bearing: None,
+        }));
         let mut index = 0..;
         mechanism.drives.retain(|_| index.next().is_some_and(|i| !drives.contains(&i)));
         let mut replaced = replace::replace(&mechanism);
@@ -109,6 +124,7 @@ impl Trial<'_> {
         let islands = floating_islands(&mechanism);
         let is_whole = islands.iter().flatten().all(|link| gone.contains(link))
             && lines::agree(&mechanism, &replaced)
+            && places::agree(&mechanism, &replaced, &efforts)
             && weld_defects::defects(&mechanism, &replaced).is_empty()
             && turned(&mechanism, &replaced.passive).is_empty();
         Outcome { fit: incidence.fit(), is_whole, incidence }
@@ -116,7 +132,8 @@ impl Trial<'_> {
 
     /// Whether added pairs lay no lines on each other that cannot be parallel.
     pub(super) fn agrees_with(&self, pairs: &[PairKind]) -> bool {
-        lines::agree(self.mechanism, &self.replaced_with(pairs))
+        let replaced = self.replaced_with(pairs);
+        lines::agree(self.mechanism, &replaced) && places::agree(self.mechanism, &replaced, &[])
     }
 
     fn replaced_with(&self, pairs: &[PairKind]) -> Replaced {
@@ -139,18 +156,8 @@ impl Trial<'_> {
     }
 }
 
-/// Empties the joints of pairs: joints keep their numbers.
-fn remove_pairs(replaced: &mut Replaced, pairs: &[PairId]) {
-    for joint in replaced.joints.iter_mut().filter(|j| pairs.contains(&j.pair)) {
-        joint.kind = JointKind::Revolute(Vec::new());
-    }
-    for body in &mut replaced.bodies {
-        body.known |= matches!(body.origin, BodyOrigin::Imaginary(p) if pairs.contains(&p));
-    }
-}
-
 /// Makes a pair one that joins nothing. The links that it brought along go too.
-fn leave_out(kind: &mut PairKind) -> Vec<LinkId> {
+pub(super) fn leave_out(kind: &mut PairKind) -> Vec<LinkId> {
     match std::mem::replace(kind, PairKind::Revolute(Vec::new())) {
         PairKind::Cylinder { barrel, rod, .. } => vec![barrel, rod],
         _ => Vec::new(),
@@ -158,7 +165,7 @@ fn leave_out(kind: &mut PairKind) -> Vec<LinkId> {
 }
 
 /// Leaves out the pairs of a link; a pin of several links keeps the others.
-fn leave_out_link(mechanism: &mut Mechanism, link: LinkId) {
+pub(super) fn leave_out_link(mechanism: &mut Mechanism, link: LinkId) {
     for pair in mechanism.pairs.iter_mut().filter(|pair| pair.kind.links().contains(&link)) {
         match &mut pair.kind {
             PairKind::Revolute(pins) if pins.len() > 2 => pins.retain(|pin| pin.link != link),

@@ -21,7 +21,7 @@ pub(super) fn statement(mechanism: &Mechanism, pair: PairId) -> String {
 /// The line that writes a pair of this kind, with points of its own name left out. `None` for those that take more than their ends.
 pub(super) fn line(mechanism: &Mechanism, name: &str, kind: &PairKind) -> Option<String> {
     let short = match kind {
-        PairKind::Revolute(_) => true,
+        PairKind::Revolute(_) | PairKind::Weld { .. } => true,
         PairKind::Prismatic(g) | PairKind::Slot(g) if g.own_line.is_none() && !g.point_name.is_empty() => {
             false
         }

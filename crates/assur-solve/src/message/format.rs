@@ -24,7 +24,8 @@ pub fn place(model: &Model<'_>, pose: &PoseRequest) -> String {
 }
 
 /// `crank = 60 deg, c1 = 250 mm`
-pub(super) fn drive_text(model: &Model<'_>, values: &[DriveValue]) -> String {
+#[must_use]
+pub fn drive_text(model: &Model<'_>, values: &[DriveValue]) -> String {
     let drives = model.mechanism.drives.iter().zip(values);
     let texts = drives.filter_map(|(drive, value)| match value {
         DriveValue::Scalar(x) if turns(model, drive) => {

@@ -8,6 +8,7 @@ mod friction;
 mod gap;
 mod impossible;
 mod notes;
+mod odd_point;
 mod open_places;
 mod opens;
 mod over_sweep;
@@ -21,6 +22,6 @@ mod unassembled;
 
 pub use clause::clause;
 pub use failure::{failure, failures};
-pub use format::place;
+pub use format::{drive_text, place};
 pub use notes::notes;
 pub use over_sweep::undefined;

@@ -3,6 +3,7 @@
 use super::clause::{clause, point_name};
 use super::format::{label, labels, length, links, short};
 use super::gap::gap_text;
+use super::odd_point::odd_point;
 use super::parallel::turn_the_face;
 use crate::model::{HintKind, PairKind};
 use crate::position::Model;
@@ -12,6 +13,9 @@ use assur_text::diagnostic::{Diagnosis, Fix};
 
 /// A group does not close.
 pub(super) fn does_not_close(model: &Model<'_>, group: usize, gap: &GroupGap, pose: String) -> Diagnosis {
+    if let Some(error) = odd_point(model) {
+        return error;
+    }
     let labels = labels(model, &model.structure.motion[group], "does not close");
     let (gap, help) = gap_text(model, group, gap);
     Diagnosis::error("mech::assembly::does_not_close", format!("the mechanism does not close{pose}: {gap}"))
@@ -26,6 +30,9 @@ pub(super) fn not_found(
     (point, never_regular): (Option<NamedPoint>, bool),
     pose: String,
 ) -> Diagnosis {
+    if let Some(error) = odd_point(model) {
+        return error;
+    }
     let group = &model.structure.motion[group];
     let help = match point {
         _ if never_regular => {
@@ -55,6 +62,9 @@ pub(super) fn ambiguous(
     groups: &[(usize, Vec<Clause>)],
     pose: String,
 ) -> Diagnosis {
+    if let Some(error) = odd_point(model) {
+        return error;
+    }
     let mut sections = Vec::new();
     let mut marks = Vec::new();
     let mut listed = None;
