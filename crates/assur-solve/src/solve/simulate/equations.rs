@@ -3,7 +3,7 @@
 
 use super::chart::Chart;
 use super::drives::{moves, prescribed};
-use super::loads::{loads_need_angles, sides};
+use super::loads::{efforts_of_stops, loads_need_angles, sides};
 use super::multi_crossing::MultiCrossing;
 use super::setup::{StartState, is_length};
 use super::singular_crossing::SingularCrossing;
@@ -53,6 +53,8 @@ pub(super) struct Equations<'a, 's> {
     pub loads_need_angles: bool,
     /// Some loads are evaluated at every position.
     pub evaluates: bool,
+    /// Of them by number, which are the efforts of stops; and whether all are.
+    pub of_stops: (Vec<bool>, bool),
     /// Some steps of motion start from where the step began.
     pub goes_on: bool,
     /// The way to what is looked at far ahead.
@@ -128,6 +130,7 @@ impl<'a, 's> Equations<'a, 's> {
                 model.mechanism,
                 model.mechanism.loads.iter().flat_map(Load::expressions),
             ),
+            of_stops: efforts_of_stops(model),
             evaluates: model.plan.loads.iter().any(|load| matches!(load, LoadStep::Evaluated(_))),
             goes_on: model.plan.goes_on(),
             walk: None,

@@ -1,7 +1,9 @@
 //! What loads depend on, and how they are taken.
 
 use crate::answer::Switch;
-use crate::model::{BinaryOp, Expr, Mechanism, Value};
+use crate::model::{BinaryOp, Expr, LoadKind, Mechanism, Query, Value};
+use crate::plan::LoadStep;
+use crate::position::Model;
 
 /// The sides on which loads are taken, where they are held there.
 pub(super) fn sides<'s, 'm>(held: bool, switches: &'s [Switch<'m>]) -> &'s [Switch<'m>] {
@@ -15,6 +17,19 @@ pub(super) fn loads_need_angles<'m>(mechanism: &'m Mechanism, loads: impl Iterat
         needed |= matches!(part, Expr::Query(query) if query.facts().continuous.is_some());
     });
     needed
+}
+
+/// Which loads are the efforts of stops; and whether these alone are evaluated at every position.
+pub(super) fn efforts_of_stops(model: &Model<'_>) -> (Vec<bool>, bool) {
+    let of_stop =
+        |kind: &LoadKind| matches!(kind, LoadKind::InPair { value: Expr::Query(Query::StopEffort(_)), .. });
+    let all: Vec<bool> = model.mechanism.loads.iter().map(|load| of_stop(&load.kind)).collect();
+    let evaluated = |load: &LoadStep| match load {
+        LoadStep::Evaluated(id) => Some(all[id.index()]),
+        _ => None,
+    };
+    let alone = model.plan.loads.iter().filter_map(evaluated).all(|stop| stop);
+    (all, alone)
 }
 
 /// Calls `look` on all parts of some expressions, through the quantities that they name, each of which is gone through once.

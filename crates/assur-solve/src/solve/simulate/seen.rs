@@ -69,7 +69,9 @@ impl Equations<'_, '_> {
     /// The values of the loads that depend on the state, on the sides of their corners where the step begins.
     pub fn evaluate_loads(&mut self, t: f64) {
         self.evaluated.clear();
-        if !self.evaluates {
+        // open stops bear nothing
+        let open = self.closed.is_empty();
+        if !self.evaluates || open && self.of_stops.1 {
             return;
         }
         if self.loads_need_angles {
@@ -79,6 +81,10 @@ impl Equations<'_, '_> {
         if self.held && self.evaluated.iter().any(|(_, value)| !value.is_defined()) {
             // what holds on one side need not exist beyond it
             self.evaluate_on_sides(false);
+        }
+        if open {
+            let of_stops = &self.of_stops.0;
+            self.evaluated.retain(|(load, _)| !of_stops[load.index()]);
         }
     }
 
