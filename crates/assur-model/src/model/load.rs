@@ -115,6 +115,11 @@ impl Load {
 
     /// All that it takes from elsewhere: its value, its place in ground axes, its condition.
     pub fn expressions(&self) -> impl Iterator<Item = &Expr> {
+        self.values().chain(&self.when)
+    }
+
+    /// The expressions of its value and its place.
+    pub fn values(&self) -> impl Iterator<Item = &Expr> {
         let place = match &self.kind {
             LoadKind::Force { at, .. } | LoadKind::ForceAgainstMotion { at, .. } => Some(at),
             LoadKind::Torque { .. } | LoadKind::InPair { .. } => None,
@@ -123,7 +128,7 @@ impl Load {
             Place::Ground(place) => Some(place),
             Place::Local(_) => None,
         });
-        std::iter::once(self.value()).chain(place).chain(&self.when)
+        std::iter::once(self.value()).chain(place)
     }
 
     /// The link on which it acts from outside; none where it acts between the links of a pair.

@@ -207,7 +207,8 @@ impl Reduced {
     }
 
     fn add_evaluated(&mut self, model: &Model<'_>, state: &mut State, evaluated: &[(LoadId, Value)]) {
-        if evaluated.is_empty() {
+        let nothing = |value: &Value| *value == Value::Scalar(0.0) || *value == Value::Vector(Vec2::zero());
+        if evaluated.iter().all(|(_, value)| nothing(value)) {
             return;
         }
         state.run_evaluated_loads(model, evaluated);

@@ -76,7 +76,14 @@ impl<'a> Equations<'a, '_> {
         self.last = last;
         let (mechanism, run) = (self.model.mechanism, (self.from, last));
         let exprs: Vec<&Expr> = self.acting().flat_map(|(_, _, exprs)| exprs).collect();
-        self.loads_need_angles = loads_need_angles(mechanism, exprs.iter().copied());
+        let is_condition = |expr: &&&Expr| {
+            let own = mechanism.loads.iter().filter_map(|load| load.when.as_ref());
+            own.into_iter().any(|when| std::ptr::eq(when, **expr))
+        };
+        let (conditions, values): (Vec<&Expr>, Vec<&Expr>) =
+            exprs.iter().partition(|expr| is_condition(&expr));
+        self.loads_need_angles = loads_need_angles(mechanism, values.into_iter());
+        self.conditions_need_angles = loads_need_angles(mechanism, conditions.into_iter());
         self.switches = switches(mechanism, exprs);
         self.switches.retain(|switch| always(mechanism, switch.expr(), run).is_none());
     }

@@ -51,6 +51,8 @@ pub(super) struct Equations<'a, 's> {
     /// Angles of the bodies in the last evaluation, where loads depend on them.
     pub angles: Vec<f64>,
     pub loads_need_angles: bool,
+    /// The same of the conditions under which they act.
+    pub conditions_need_angles: bool,
     /// Some loads are evaluated at every position.
     pub evaluates: bool,
     /// Of them by number, which are the efforts of stops; and whether all are.
@@ -104,6 +106,7 @@ impl<'a, 's> Equations<'a, 's> {
         let moved = (0..drives.len()).any(|i| !drives[i].free && (drives[i].of_time || moves(&first[i])));
         let unknowns = 2 * free.len() + 1 + model.mechanism.works.len();
         let angles = angles.to_vec();
+        let loads = || model.mechanism.loads.iter();
         let mut trial = state.clone();
         trial.motion.works.resize(model.mechanism.works.len(), 0.0);
         trial.motion.stops.resize(model.mechanism.stops.len(), 0.0);
@@ -126,9 +129,10 @@ impl<'a, 's> Equations<'a, 's> {
             at: (f64::NAN, vec![f64::NAN; unknowns]),
             accepted: (t, state.clone(), angles.clone()),
             angles,
-            loads_need_angles: loads_need_angles(
+            loads_need_angles: loads_need_angles(model.mechanism, loads().flat_map(Load::values)),
+            conditions_need_angles: loads_need_angles(
                 model.mechanism,
-                model.mechanism.loads.iter().flat_map(Load::expressions),
+                loads().filter_map(|load| load.when.as_ref()),
             ),
             of_stops: efforts_of_stops(model),
             evaluates: model.plan.loads.iter().any(|load| matches!(load, LoadStep::Evaluated(_))),
@@ -221,7 +225,10 @@ impl<'a, 's> Equations<'a, 's> {
             self.follow_angles(t);
         }
         self.quiet = dy;
-        self.forget();
+        // what is deep has accelerations that no stage leaves
+        if deep || !known {
+            self.forget();
+        }
         known
     }
 

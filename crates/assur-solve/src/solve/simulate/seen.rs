@@ -74,7 +74,8 @@ impl Equations<'_, '_> {
         if !self.evaluates || open && self.of_stops.1 {
             return;
         }
-        if self.loads_need_angles {
+        // conditions are not looked at where they are held
+        if self.loads_need_angles || !self.held && self.conditions_need_angles {
             self.follow_angles(t);
         }
         self.evaluate_on_sides(self.held);

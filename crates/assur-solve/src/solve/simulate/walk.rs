@@ -39,7 +39,7 @@ impl Walk {
 impl Equations<'_, '_> {
     /// From here on the coordinate is looked at far ahead.
     pub fn begin_walk(&mut self, q: f64) {
-        let needed = self.loads_need_angles || self.model.plan.goes_on();
+        let needed = self.loads_need_angles || self.conditions_need_angles || self.model.plan.goes_on();
         let (_, state, angles) = self.here();
         let angles = angles[..state.motion.bodies.len()].to_vec();
         let (mut state, next) = (state.clone(), self.trial.clone());
