@@ -28,7 +28,7 @@ pub(super) fn opens(
                 format!("contact `{name}` would have to transmit tension from {time} on"),
                 "opens here",
                 format!(
-                    "end the motion there with `until normal({name}, {link}) < 0 N`, or press the profiles together by a spring or a load"
+                    "add `{{ parts }}` to `{name}`: it opens there, and closes again with an impact; or end the motion with `until normal({name}, {link}) < 0 N`, or press the profiles together by a spring or a load"
                 ),
             )
         }
