@@ -27,8 +27,8 @@ pub fn brief(file: &str, answers: &Answers<'_>, width: usize) -> Section {
         section.text(super::tradeoff::reached(reached));
     }
     let (scale, symbols) = (answers.greatest(), Symbols::of(answers.model.mechanism));
-    let all = answers.quantities(&poses).into_iter().chain(answers.quantities_without_pose());
-    let mut items: Vec<String> = all.map(|q| item(answers, &symbols, scale, &q)).collect();
+    let all = answers.all_quantities(&poses);
+    let mut items: Vec<String> = all.into_iter().map(|q| item(answers, &symbols, scale, &q)).collect();
     items.extend(greatest_reaction(answers, &poses));
     let finds = &answers.model.mechanism.finds;
     let tables = finds.iter().filter(|find| matches!(find.kind, FindKind::Table(_)));

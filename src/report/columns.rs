@@ -81,6 +81,15 @@ impl<'a> Answers<'a> {
         self.without_pose(|view| self.values_without_pose(view))
     }
 
+    /// Items of `find` at these poses and those that need none, in the order of the file.
+    pub(super) fn all_quantities(&self, poses: &[&Pose]) -> Vec<Quantity> {
+        let mut all = self.quantities(poses);
+        all.extend(self.quantities_without_pose());
+        let finds = &self.model.mechanism.finds;
+        all.sort_by_key(|q| finds.iter().position(|find| find.name == q.name).unwrap_or(finds.len()));
+        all
+    }
+
     /// The tables that are asked for, with their names: one, or one per position.
     pub(super) fn tables(&self) -> Vec<(String, &'a model::Table, Option<&'a Pose>)> {
         let mut tables = Vec::new();

@@ -23,14 +23,13 @@ pub(super) fn sections(answers: &Answers<'_>, report: &mut Report) {
     let mut section = Section::new("Answers");
     let scale = answers.greatest();
     let poses: Vec<&Pose> = answers.poses().collect();
-    let mut quantities = answers.quantities(&poses);
     if let [pose] = poses.as_slice() {
-        quantities.extend(answers.quantities_without_pose());
+        let quantities = answers.all_quantities(&poses);
         let drives = drives_in_words(answers, pose);
         let header = if drives.is_empty() { "quantity".to_owned() } else { format!("at {drives}") };
         section.table(of_one_pose(answers, scale, header, &quantities));
     } else {
-        section.table(of_a_sweep(answers, scale, &poses, &quantities));
+        section.table(of_a_sweep(answers, scale, &poses, &answers.quantities(&poses)));
         let moves = answers.model.mechanism.simulation.is_some();
         let header = if moves { OF_MOTION } else { OF_CYCLE };
         let whole = answers.quantities_without_pose();
@@ -145,17 +144,16 @@ pub(super) fn full_table(answers: &Answers<'_>) -> Table {
         let values = poses.iter().map(|p| p.drives.get(i).and_then(|d| d.value())).collect();
         add_full(&mut table, &Quantity { name: drive.name.clone(), display, values, missing: NONE });
     }
-    for quantity in answers.quantities(&poses) {
-        add_full(&mut table, &quantity);
-    }
-    let whole = answers.quantities_without_pose();
-    if poses.is_empty() && !whole.is_empty() {
+    let all = answers.all_quantities(&poses);
+    if poses.is_empty() && !all.is_empty() {
         // the one row of a file without poses
         table.rows.push(vec![String::new(); table.columns.len()]);
     }
-    for mut quantity in whole {
-        let value = quantity.values.first().copied().flatten();
-        quantity.values = vec![value; table.rows.len()];
+    for mut quantity in all {
+        if quantity.values.len() != poses.len() {
+            let value = quantity.values.first().copied().flatten();
+            quantity.values = vec![value; table.rows.len()];
+        }
         add_full(&mut table, &quantity);
     }
     if answers.wants_reactions() {
