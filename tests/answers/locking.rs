@@ -141,3 +141,32 @@ find {find}
     let greatest = values.fold(0.0, f64::max);
     assert!((0.0..1e-6).contains(&(most - greatest)), "{most} {greatest}");
 }
+
+/// Next to a dead centre friction is more than what the load drives: no news where the sweep goes on, but where it ends there.
+#[test]
+fn passing_a_dead_centre_is_no_locking() {
+    let told = |drive: &str| {
+        let text = format!(
+            "ground {{ O (0, 0); line way through O along 0 deg }}
+link crank O-A 100 mm
+link rod A-B 300 mm
+link slider {{ B (0, 0) }}
+revolute O: ground - crank
+revolute A: crank - rod {{ friction 0.1; radius 20 mm }}
+revolute B: rod - slider
+prismatic G: slider.B - ground.way
+drive crank = {drive} at 100 rpm
+assemble B ahead of A
+force F on slider at B = (-1000 N, 0)
+balance torque M on crank
+find M
+"
+        );
+        let solution = assur::solve(&text).unwrap();
+        solution.diagnostics().to_string().contains("mech::friction::locked")
+    };
+    assert!(!told("178 deg, 179 deg, 179.5 deg, 180.5 deg, 181 deg"));
+    assert!(!told("0 deg .. 360 deg in 720 steps"));
+    assert!(told("178 deg, 179 deg, 179.5 deg"));
+    assert!(told("179.5 deg"));
+}

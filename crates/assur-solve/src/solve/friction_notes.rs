@@ -13,6 +13,8 @@ const SLIGHT: f64 = 0.05;
 #[derive(Debug, Default)]
 pub(super) struct FrictionNotes {
     locked: Option<Locking>,
+    /// The same of the positions of a sweep since the last one that does not lock, whose power of the ideal efforts comes first, W.
+    passing: (Option<f64>, Option<Locking>),
     /// Results without a value at the first position that has such results, and how many more there are.
     without_effort: Option<(Vec<usize>, PoseRequest, usize)>,
     still: Vec<(PairId, PoseRequest, usize)>,
@@ -46,12 +48,15 @@ impl FrictionNotes {
             }
         }
         if view.efficiency() > 0.0 || view.efficiency().is_nan() || view.overcomes_friction_alone() {
+            self.moves(view, pose);
             return;
         }
-        match &mut self.locked {
+        let passes = matches!(pose.origin, PoseOrigin::Sweep(_)) && !view.state.forces.locked;
+        let notes = if passes { &mut self.passing.1 } else { &mut self.locked };
+        match notes {
             _ if expects_lock(model.mechanism, pose) => {}
             Some(locking) => locking.more += 1,
-            None => self.locked = Some(locked(model, view, pose)),
+            None => *notes = Some(locked(model, view, pose)),
         }
         if !view.state.forces.locked {
             return;
@@ -65,6 +70,27 @@ impl FrictionNotes {
         }
     }
 
+    /// A position does not lock: between it and the last such one the balance may have passed zero, where friction is more than what
+    /// drives, as next to a dead centre. That is no news.
+    fn moves(&mut self, view: &PoseAnswers<'_>, pose: &PoseRequest) {
+        if !matches!(pose.origin, PoseOrigin::Sweep(_)) {
+            return;
+        }
+        let nothing = view.overcomes_friction_alone();
+        let ideal = if nothing { 0.0 } else { view.without_friction().power_of_efforts() };
+        let passes = self.passing.0.replace(ideal).is_some_and(|before| before * ideal <= 0.0);
+        let passed = self.passing.1.take().filter(|_| !passes);
+        self.lock(passed);
+    }
+
+    fn lock(&mut self, passed: Option<Locking>) {
+        let Some(passed) = passed else { return };
+        match &mut self.locked {
+            Some(locking) => locking.more += 1 + passed.more,
+            None => self.locked = Some(passed),
+        }
+    }
+
     /// A pair or a transmission whose losses have no direction.
     fn note_at_rest(&mut self, pair: PairId, pose: &PoseRequest) {
         match self.still.iter_mut().find(|s| s.0 == pair) {
@@ -74,7 +100,9 @@ impl FrictionNotes {
     }
 
     /// All that was found.
-    pub(super) fn into_notes(self) -> impl Iterator<Item = Note> {
+    pub(super) fn into_notes(mut self) -> impl Iterator<Item = Note> {
+        let passed = self.passing.1.take();
+        self.lock(passed);
         let still = self.still.into_iter().map(|(pair, pose, more)| Note::NoSliding { pair, pose, more });
         let without = self.without_effort.map(|(finds, pose, more)| Note::NoEffort { finds, pose, more });
         still.chain(self.locked.map(Note::Locked)).chain(without)
