@@ -17,7 +17,7 @@ use super::repeated::repeated;
 use super::ring::locked;
 use super::roller::{MOST_LABELS, counted, label, listed, names, with_lines};
 use super::trial::{Change, Trial};
-use super::words::{is_structure, links, one_of, statement};
+use super::words::{is_at_rest, is_structure, line, links, one_of, statement};
 use crate::math::Vec2;
 use crate::model::{
     DriveTarget, Expr, FrictionLimit, LinkId, Mechanism, PairId, PairKind, TransmissionKind, Value,
@@ -358,13 +358,20 @@ fn to_add(trial: Trial<'_>, count: &Count, defect: &Defect) -> String {
     }
     let drive = if trial.mechanism.simulation.is_some() { "start" } else { "drive" };
     // a truss or a beam has no drive
-    let of_statics = is_structure(trial.mechanism);
-    let is_structure = count.drives == 0 && of_statics;
-    let looks = count.drives > 0 || missing > 2 || is_structure;
+    let is_at_rest = is_at_rest(trial.mechanism);
+    let is_structure = count.drives == 0 && is_structure(trial.mechanism);
+    let looks = count.drives > 0 || missing > 2 || is_at_rest;
     let pairs = looks.then(|| missing_pairs(trial, defect, &defect.loose)).flatten();
+    let clamp = if is_at_rest && pairs.is_none() { clamp(trial, defect) } else { None };
+    if let Some((line, pin)) = clamp {
+        text += &format!("write `{line}` in place of {pin}\nor ");
+    }
     if let Some(missing) = pairs {
+        let is_enough = matches!(missing, Missing::OneOf(_));
         text += &pairs_to_add(trial, missing, &defect.loose);
-        text += &or_weld(trial, defect, &defect.loose);
+        if !is_enough {
+            text += &or_weld(trial, defect, &defect.loose);
+        }
         if is_structure {
             return text;
         }
@@ -378,6 +385,20 @@ fn to_add(trial: Trial<'_>, count: &Count, defect: &Defect) -> String {
         (lines, 1) => with_lines(&format!("{drive} it: add {}", add_words(lines, true)), lines),
         (lines, _) => with_lines(&format!("{drive} them: add {}", add_words(lines, false)), lines),
     }
+}
+
+/// The only pin on the ground as a weld: what rests is clamped.
+fn clamp(trial: Trial<'_>, defect: &Defect) -> Option<(String, String)> {
+    let mechanism = trial.mechanism;
+    let pairs = mechanism.pairs.iter().enumerate();
+    let mut grounded = pairs.filter(|(_, pair)| pair.kind.links().contains(&LinkId::GROUND));
+    let ((at, pair), None) = (grounded.next()?, grounded.next()) else { return None };
+    let PairKind::Revolute(pins) = &pair.kind else { return None };
+    let kind = PairKind::Weld { pins: pins.clone(), angle: 0.0 };
+    let heals =
+        defect.fit.missing == 1 && trial.after(&Change::writing(PairId::at(at), kind.clone())).is_sound();
+    let line = line(mechanism, &pair.name, &kind).filter(|_| heals)?;
+    Some((line, statement(mechanism, PairId::at(at))))
 }
 
 /// A slot that leaves its slider loose, where a prismatic pair in its place leaves nothing loose.

@@ -112,11 +112,12 @@ impl Repair<'_> {
     /// The changes that make the part sound, each by itself, the likeliest first; where some make the whole sound, those alone.
     pub(super) fn mends(&self) -> Vec<Mend> {
         let mut mends: Vec<Mend> = Vec::new();
+        let moves = !is_structure(self.trial.mechanism);
         for (mut mend, change) in self.tried() {
             let now = self.trial.after(&change);
             if self.is_sound(&now) {
                 mend.heals = now.is_sound();
-                mend.unmoved = if mend.heals { now.incidence.unmoved().len() } else { 0 };
+                mend.unmoved = if mend.heals && moves { now.incidence.unmoved().len() } else { 0 };
                 mends.push(mend);
             }
         }

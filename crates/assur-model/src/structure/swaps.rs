@@ -1,6 +1,6 @@
 //! A pair with a wrong end, or at a wrong place: another one written in its place makes all determined.
 
-use super::add_pair::candidates;
+use super::add_pair::{candidates, guide};
 use super::defect::Defect;
 use super::leave_out::{is_driven, is_spare};
 use super::order::{Order, Rank};
@@ -84,7 +84,12 @@ fn swaps(trial: Trial<'_>, defect: &Defect) -> Vec<Swap> {
             }
             let Some(line) = line(mechanism, name, &kind) else { return };
             let ends = ends(&kind);
-            let odd = ends.iter().any(|end| end.1 != name);
+            let is_slide = !moved && kind.word() != mechanism.pair(pair).kind.word();
+            // a pin that is called as a point was meant as a pin
+            let odd = match is_slide {
+                true => mechanism.links.iter().flat_map(|link| &link.points).any(|point| point.name == name),
+                false => ends.iter().any(|end| end.1 != name),
+            };
             // what looks right is not given up for a guess
             if moved && odd && rank.0 >= 0 {
                 return;
@@ -98,6 +103,10 @@ fn swaps(trial: Trial<'_>, defect: &Defect) -> Vec<Swap> {
         }
         if !is_spare(mechanism, pair) {
             continue;
+        }
+        for kind in of_another_kind(mechanism, &mechanism.pair(pair).kind) {
+            let used = ends(&kind).iter().map(|end| uses.count(end.0, end.1)).sum();
+            offer(&mechanism.pair(pair).name, kind, used, false);
         }
         let mut loose: Vec<LinkId> = links(trial.replaced, &defect.loose).collect();
         loose.extend(mechanism.pair(pair).kind.links().into_iter().filter(|l| *l != LinkId::GROUND));
@@ -161,4 +170,16 @@ fn with_another_end(mechanism: &Mechanism, kind: &PairKind) -> Vec<PairKind> {
         }
         _ => Vec::new(),
     }
+}
+
+/// A pin of two links as a slide of one of its points along a line of the other link.
+fn of_another_kind(mechanism: &Mechanism, kind: &PairKind) -> Vec<PairKind> {
+    let PairKind::Revolute(pins) = kind else { return Vec::new() };
+    let [first, second] = pins.as_slice() else { return Vec::new() };
+    let ways = [(first, second), (second, first)].into_iter();
+    let guides = ways.flat_map(|(pin, other)| {
+        let lines = mechanism.link(other.link).lines.iter();
+        lines.map(|line| guide((pin.link, &pin.name, pin.at), (other.link, line)))
+    });
+    guides.flat_map(|guide| [PairKind::Prismatic(guide.clone()), PairKind::Slot(guide)]).collect()
 }

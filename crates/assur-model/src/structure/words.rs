@@ -22,9 +22,7 @@ pub(super) fn statement(mechanism: &Mechanism, pair: PairId) -> String {
 pub(super) fn line(mechanism: &Mechanism, name: &str, kind: &PairKind) -> Option<String> {
     let short = match kind {
         PairKind::Revolute(_) | PairKind::Weld { .. } => true,
-        PairKind::Prismatic(g) | PairKind::Slot(g) if g.own_line.is_none() && !g.point_name.is_empty() => {
-            false
-        }
+        PairKind::Prismatic(g) | PairKind::Slot(g) if !g.point_name.is_empty() => false,
         PairKind::Contact { .. } => false,
         _ => return None,
     };
@@ -43,7 +41,8 @@ pub(super) fn ends(kind: &PairKind) -> Vec<(LinkId, &str)> {
             pins.iter().map(|pin| (pin.link, pin.name.as_str())).collect()
         }
         PairKind::Prismatic(g) | PairKind::Slot(g) => {
-            vec![(g.slider, g.point_name.as_str()), (g.guide, g.line_name.as_str())]
+            let own = g.own_line.as_ref().unwrap_or(&g.point_name);
+            vec![(g.slider, own.as_str()), (g.guide, g.line_name.as_str())]
         }
         PairKind::Contact { first, second, .. } => {
             [first, second].map(|profile| (profile.link, profile.name.as_str())).to_vec()
@@ -56,6 +55,15 @@ pub(super) fn ends(kind: &PairKind) -> Vec<(LinkId, &str)> {
 /// A truss or a beam: forces inside links are asked for, and nothing has to move.
 pub(super) fn is_structure(mechanism: &Mechanism) -> bool {
     !mechanism.bars.is_empty() || !mechanism.asked_inside().is_empty()
+}
+
+/// Forces on links that nothing is said to move.
+pub(super) fn is_at_rest(mechanism: &Mechanism) -> bool {
+    is_structure(mechanism)
+        || !mechanism.loads.is_empty()
+            && mechanism.drives.is_empty()
+            && mechanism.balances.is_empty()
+            && mechanism.simulation.is_none()
 }
 
 pub(super) fn pairs_of(mechanism: &Mechanism, link: LinkId) -> Vec<PairId> {
