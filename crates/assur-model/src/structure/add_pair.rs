@@ -333,8 +333,9 @@ fn meshes(mechanism: &Mechanism, loose: &[LinkId], wheels: &[&Wheel], idle: &[&W
         for other in idle.iter().filter(|other| other.link != wheel.link && can_mesh(other, wheel)) {
             let (a, b) = if other.span.start < wheel.span.start { (other, wheel) } else { (wheel, other) };
             let is_around = is_around(mechanism, other, wheel);
+            let word = if is_around { "mesh" } else { transmission(mechanism, a, b) };
             let around = if is_around { " { internal }" } else { "" };
-            let line = format!("mesh {}: {} - {}{around}", free_name("k", taken), a.name, b.name);
+            let line = format!("{word} {}: {} - {}{around}", free_name("k", taken), a.name, b.name);
             // the wheel that fits into the ring of another is its sun
             let fits = is_around || is_sun(mechanism, other, wheel);
             if !lines.contains(&(!fits, line.clone())) {
@@ -345,6 +346,34 @@ fn meshes(mechanism: &Mechanism, loose: &[LinkId], wheels: &[&Wheel], idle: &[&W
     lines.sort_by_key(|line| line.0);
     lines.truncate(if lines.first().is_some_and(|line| !line.0) { 1 } else { MOST_SHOWN - 1 });
     lines.into_iter().map(|line| line.1).collect()
+}
+
+/// What runs between two wheels: teeth that may meet do, and pulleys only where they touch.
+fn transmission(mechanism: &Mechanism, a: &Wheel, b: &Wheel) -> &'static str {
+    let sum = a.radius + b.radius;
+    let is_apart = apart(mechanism, a, b).map(|distance| distance - sum > SAME * sum);
+    match (a.teeth.is_some(), is_apart) {
+        _ if a.open || b.open => "mesh",
+        (true, Some(true)) => "chain",
+        (false, None | Some(true)) => "belt",
+        (true, _) | (false, Some(false)) => "mesh",
+    }
+}
+
+/// How far apart the axes of two wheels are that turn on one link.
+fn apart(mechanism: &Mechanism, a: &Wheel, b: &Wheel) -> Option<f64> {
+    let axis = |wheel: &Wheel| {
+        mechanism.pairs.iter().find_map(|pair| {
+            let PairKind::Revolute(pins) = &pair.kind else { return None };
+            let [one, other] = pins.as_slice() else { return None };
+            let on = if one.link == wheel.link { other } else { one };
+            let own = if one.link == wheel.link { one } else { other };
+            let is_axis = own.link == wheel.link && wheel.centre == Some(own.at);
+            is_axis.then_some((on.link, on.at))
+        })
+    };
+    let (of_a, of_b) = (axis(a)?, axis(b)?);
+    (of_a.0 == of_b.0).then(|| (of_a.1 - of_b.1).norm())
 }
 
 /// Whether two wheels have teeth of one size, as far as both are known.

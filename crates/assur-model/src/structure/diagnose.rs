@@ -50,8 +50,7 @@ pub(super) fn of_motion(trial: Trial<'_>, count: &Count, defect: &Defect) -> Dia
             format!("the mechanism is underconstrained: mobility F = {formula}, {drives}"),
         )
         .labels(labels)
-        .help(to_add(trial, count, defect))
-        .added(),
+        .help(to_add(trial, count, defect)),
         (0, _) => Diagnosis::error(
             "mech::determinacy::overconstrained",
             format!("the mechanism is overconstrained: mobility F = {formula}, {drives}"),
@@ -348,8 +347,9 @@ fn to_add(trial: Trial<'_>, count: &Count, defect: &Defect) -> String {
     // a mesh takes one freedom
     let meshes = if missing == 1 { missing_meshes(trial, defect) } else { Vec::new() };
     if !meshes.is_empty() {
-        text +=
-            &with_lines(&format!("a wheel meshes with nothing; add {}", add_words(&meshes, true)), &meshes);
+        let is_mesh = meshes.iter().all(|line| line.starts_with("mesh"));
+        let idle = if is_mesh { "a wheel meshes with nothing" } else { "nothing runs on a wheel" };
+        text += &with_lines(&format!("{idle}; add {}", add_words(&meshes, true)), &meshes);
         text += "\nor ";
     }
     if let Some((name, line)) = guide_of_slot(trial, defect) {

@@ -151,7 +151,7 @@ impl Repair<'_> {
             left_out,
         };
         let mut statements = self.statements();
-        statements.sort_by_key(|statement| (named.has(*statement), order.rank(*statement)));
+        statements.sort_by_cached_key(|statement| (named.has(*statement), order.rank(*statement)));
         let left_out = statements.into_iter().take(2 * most).map(|one| {
             let (sort, text) = self.words(one);
             (mend(sort, text, order.rank(one), named.has(one), Some(one)), Change::without(one))

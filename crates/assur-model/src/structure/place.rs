@@ -21,8 +21,7 @@ pub(super) fn without_angle(trial: Trial<'_>, defect: &Defect) -> Option<Diagnos
     Some(
         Diagnosis::error("mech::determinacy::underconstrained", message)
             .label(drive.span, "two coordinates of three")
-            .help(format!("add the line\n  {word} {name} = 0 deg"))
-            .added(),
+            .help(format!("add the line\n  {word} {name} = 0 deg")),
     )
 }
 

@@ -1,8 +1,10 @@
 //! Statements and what they join, as helps name them.
 
 use super::joint::{BodyId, BodyOrigin, Replaced};
+use super::lines::{self, degrees};
 use super::roller::listed;
 use crate::model::{LinkId, Mechanism, PairId, PairKind};
+use assur_math::math::SAME;
 
 /// The links of a list of bodies.
 pub(super) fn links<'a>(replaced: &'a Replaced, bodies: &'a [BodyId]) -> impl Iterator<Item = LinkId> + 'a {
@@ -31,7 +33,19 @@ pub(super) fn line(mechanism: &Mechanism, name: &str, kind: &PairKind) -> Option
         if short && *point == name { link.clone() } else { format!("{link}.{point}") }
     };
     let ends: Vec<String> = ends(kind).iter().map(end).collect();
-    Some(format!("{} {name}: {}", kind.word(), ends.join(" - ")))
+    Some(format!("{} {name}: {}{}", kind.word(), ends.join(" - "), angle(kind)))
+}
+
+/// ` { angle 70 deg }`, where a slider does not lie along its guide.
+fn angle(kind: &PairKind) -> String {
+    match kind {
+        PairKind::Prismatic(g)
+            if g.own_line.is_none() && g.direction.y.abs() + (g.direction.x - 1.0).abs() > SAME =>
+        {
+            format!(" {{ angle {} }}", degrees(-lines::angle(g.direction)))
+        }
+        _ => String::new(),
+    }
 }
 
 /// The points, lines and circles that a pair joins, by link and name.
