@@ -350,10 +350,15 @@ fn meshes(mechanism: &Mechanism, loose: &[LinkId], wheels: &[&Wheel], idle: &[&W
 
 /// What runs between two wheels: teeth that may meet do, and pulleys only where they touch.
 fn transmission(mechanism: &Mechanism, a: &Wheel, b: &Wheel) -> &'static str {
-    let sum = a.radius + b.radius;
+    let of_teeth = a.teeth.zip(b.teeth);
+    let known = if a.open { b } else { a };
+    let sum = match of_teeth {
+        Some((of_a, of_b)) => known.teeth.map(|own| known.radius / own * (of_a + of_b)),
+        None => (!a.open && !b.open).then_some(a.radius + b.radius),
+    };
+    let Some(sum) = sum.filter(|_| !known.open) else { return "mesh" };
     let is_apart = apart(mechanism, a, b).map(|distance| distance - sum > SAME * sum);
-    match (a.teeth.is_some(), is_apart) {
-        _ if a.open || b.open => "mesh",
+    match (of_teeth.is_some(), is_apart) {
         (true, Some(true)) => "chain",
         (false, None | Some(true)) => "belt",
         (true, _) | (false, Some(false)) => "mesh",

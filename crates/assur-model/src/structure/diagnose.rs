@@ -406,11 +406,10 @@ fn guide_of_slot(trial: Trial<'_>, defect: &Defect) -> Option<(String, String)> 
     let mechanism = trial.mechanism;
     mechanism.pairs.iter().enumerate().find_map(|(i, pair)| {
         let PairKind::Slot(g) = &pair.kind else { return None };
-        let loose = defect.loose.contains(&trial.replaced.body_of(g.slider)) && !g.point_name.is_empty();
-        let as_guide = || Change::writing(PairId::at(i), PairKind::Prismatic(g.clone()));
-        let fits = loose && trial.after(&as_guide()).is_sound();
-        let (slider, base) = (&mechanism.link(g.slider).name, &mechanism.link(g.guide).name);
-        let line = format!("prismatic {}: {slider}.{} - {base}.{}", pair.name, g.point_name, g.line_name);
+        let loose = defect.loose.contains(&trial.replaced.body_of(g.slider));
+        let kind = PairKind::Prismatic(g.clone());
+        let line = line(mechanism, &pair.name, &kind).filter(|_| loose)?;
+        let fits = trial.after(&Change::writing(PairId::at(i), kind)).is_sound();
         fits.then(|| (pair.name.clone(), line))
     })
 }

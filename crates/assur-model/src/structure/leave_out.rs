@@ -7,7 +7,7 @@ use super::incidence::Incidence;
 use super::order::{Named, Order, Rank};
 use super::replace;
 use super::trial::{Change, Outcome, Statement, Trial, leave_out, leave_out_link};
-use super::words::{is_structure, line, pairs_of, statement};
+use super::words::{drive_statement, is_structure, line, pairs_of, statement};
 use crate::math::Vec2;
 use crate::model::{Guide, LinkId, Mechanism, PairId, PairKind, Pin, Rate};
 
@@ -47,10 +47,7 @@ pub(super) enum Sort {
 /// An effort as its statement begins: `drive crank`, `start crank`, `balance Mb`.
 fn effort_statement(mechanism: &Mechanism, source: EffortSource) -> String {
     match source {
-        EffortSource::Drive(id) => {
-            let drive = &mechanism.drives[id.index()];
-            format!("`{} {}`", if drive.free { "start" } else { "drive" }, drive.written_name())
-        }
+        EffortSource::Drive(id) => drive_statement(&mechanism.drives[id.index()]),
         EffortSource::Balance(id) => format!("`balance {}`", mechanism.balances[id.index()].name),
     }
 }

@@ -9,7 +9,7 @@ use super::lines::{Edge, Placed, angle, chains, degrees, or_without};
 use super::roller::listed;
 use super::trial::Trial;
 use super::uses::Uses;
-use super::words::{ends, free_name, is_taken, line, statement};
+use super::words::{drive_statement, drive_word, ends, free_name, is_taken, line, statement};
 use crate::math::Vec2;
 use crate::model::{Guide, LinkId, Mechanism, Pair, PairId, PairKind, Value};
 use crate::units::Dimension;
@@ -431,12 +431,12 @@ fn free(trial: Trial<'_>, chains: &Chains<'_>, repeated: &Repeated) -> Diagnosis
                 return Diagnosis::error("mech::determinacy::parallel", "parallel lines leave a link free");
             };
             let drive = &mechanism.drives[id.index()];
-            let (word, name) = (if drive.free { "start" } else { "drive" }, drive.written_name());
+            let (what, word, name) = (drive_statement(drive), drive_word(drive), drive.written_name());
             let other = other_coordinate(trial, chains, effort)
                 .map_or_else(String::new, |pair| format!("write `{word} {pair}`, with its own value, or "));
             Diagnosis::error(
                 "mech::determinacy::parallel",
-                format!("`{word} {name}` moves nothing: {by} {holds} `{name}` already, by parallel lines"),
+                format!("{what} moves nothing: {by} {holds} `{name}` already, by parallel lines"),
             )
             .label(drive.span, "cannot change")
             .help(format!("{other}{turn}"))

@@ -7,7 +7,7 @@ use super::order::{Order, Rank};
 use super::trial::{Change, Statement, Trial};
 use super::uses::Uses;
 use super::words::{ends, free_name, is_taken, line, links, statement};
-use crate::model::{Link, LinkId, Mechanism, PairId, PairKind, Pin};
+use crate::model::{Link, LinkId, Mechanism, Pair, PairId, PairKind, Pin};
 
 /// Pairs that may be wrong, and lines tried in their place.
 const MOST_WRONG: usize = 48;
@@ -97,16 +97,15 @@ fn swaps(trial: Trial<'_>, defect: &Defect) -> Vec<Swap> {
             let likelihood = Likelihood { odd, used, rank, moved };
             all.push(Swap { wrong: pair, kind, line, likelihood });
         };
-        for kind in with_another_end(mechanism, &mechanism.pair(pair).kind) {
+        let is_spare = is_spare(mechanism, pair);
+        let Pair { name, kind, .. } = mechanism.pair(pair);
+        let others = if is_spare { of_another_kind(mechanism, kind) } else { Vec::new() };
+        for kind in with_another_end(mechanism, kind).into_iter().chain(others) {
             let used = ends(&kind).iter().map(|end| uses.count(end.0, end.1)).sum();
-            offer(&mechanism.pair(pair).name, kind, used, false);
+            offer(name, kind, used, false);
         }
-        if !is_spare(mechanism, pair) {
+        if !is_spare {
             continue;
-        }
-        for kind in of_another_kind(mechanism, &mechanism.pair(pair).kind) {
-            let used = ends(&kind).iter().map(|end| uses.count(end.0, end.1)).sum();
-            offer(&mechanism.pair(pair).name, kind, used, false);
         }
         let mut loose: Vec<LinkId> = links(trial.replaced, &defect.loose).collect();
         loose.extend(mechanism.pair(pair).kind.links().into_iter().filter(|l| *l != LinkId::GROUND));

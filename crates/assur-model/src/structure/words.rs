@@ -3,7 +3,7 @@
 use super::joint::{BodyId, BodyOrigin, Replaced};
 use super::lines::{self, degrees};
 use super::roller::listed;
-use crate::model::{LinkId, Mechanism, PairId, PairKind};
+use crate::model::{Drive, LinkId, Mechanism, PairId, PairKind};
 use assur_math::math::SAME;
 
 /// The links of a list of bodies.
@@ -18,6 +18,15 @@ pub(super) fn links<'a>(replaced: &'a Replaced, bodies: &'a [BodyId]) -> impl It
 pub(super) fn statement(mechanism: &Mechanism, pair: PairId) -> String {
     let pair = mechanism.pair(pair);
     format!("`{} {}`", pair.kind.word(), pair.name)
+}
+
+/// A drive as its statement begins: `drive crank`, `start crank`.
+pub(super) fn drive_statement(drive: &Drive) -> String {
+    format!("`{} {}`", drive_word(drive), drive.written_name())
+}
+
+pub(super) const fn drive_word(drive: &Drive) -> &'static str {
+    if drive.free { "start" } else { "drive" }
 }
 
 /// The line that writes a pair of this kind, with points of its own name left out. `None` for those that take more than their ends.
