@@ -123,7 +123,7 @@ fn gap(mechanism: &Mechanism, spare: Spare, first: &Position, at: &str) -> Strin
 }
 
 /// The mechanism with its drives moved on, each at one value.
-fn moved(left: &Mechanism, step: f64) -> Option<Mechanism> {
+pub(super) fn moved(left: &Mechanism, step: f64) -> Option<Mechanism> {
     let mut moved = left.clone();
     let size = left.links.iter().flat_map(|link| &link.points).map(|p| p.at.norm()).fold(0.0, f64::max);
     for drive in &mut moved.drives {

@@ -158,7 +158,7 @@ fn structural_cause(
 ) -> Option<Problems> {
     let defects = structure::structure(&check::sound_part(document, overrides)).err()?;
     let mut structural = Problems::new();
-    structural.extend(defects);
+    structural.extend(defects.into_iter().map(super::mends::with_lines));
     let proposed = structural.views(source).iter().flat_map(proposed_names).collect::<Vec<_>>();
     let pins = structural.views(source).iter().any(|d| proposed_lines(d).any(|l| l.starts_with("revolute ")));
     let follows = |d: &DiagnosticView| {

@@ -15,13 +15,66 @@ const MOST_STATEMENTS: usize = 300;
 /// Edits tried.
 const MOST_TRIED: usize = 4;
 
+/// The error with the lines that its help proposes as edits.
+pub(super) fn with_lines(error: Diagnosis) -> Diagnosis {
+    if error.is("mech::determinacy::underconstrained") { error.added() } else { error }
+}
+
 /// The error with the edits that its help proposes.
 pub(super) fn with_fixes(error: Diagnosis, text: Text<'_>) -> Diagnosis {
+    if text.document.statements.len() <= MOST_STATEMENTS {
+        let error = super::closing::that_closes(in_full(error, text), text);
+        with_lines(of_surplus(error, text))
+    } else {
+        with_lines(error)
+    }
+}
+
+/// The error with the whole line that its help wants another angle in.
+fn in_full(error: Diagnosis, text: Text<'_>) -> Diagnosis {
+    let help = help_of(&error);
+    let full = || {
+        let (angle, rest) = help.strip_prefix("write `angle ")?.split_once("` in `")?;
+        let (name, rest) = rest.split_once('`')?;
+        let what = format!("prismatic {name}");
+        let (span, joint) = joint(text.document, &what)?;
+        let line = with_angle(text, span, joint, angle)?;
+        Some((format!("write `{line}`{rest}"), Fix::quoted(&format!("write `{line}`"), span)))
+    };
+    match if error.is("mech::determinacy::not_parallel") { full() } else { None } {
+        Some((help, fixes)) => error.help(help).fixes(fixes.into_iter().filter(|fix| passes(fix, text))),
+        None => error,
+    }
+}
+
+/// The statement as it is written, with this angle.
+fn with_angle(text: Text<'_>, span: Span, joint: &Joint, angle: &str) -> Option<String> {
+    let written = text.source.text.get(span.start..span.end)?;
+    let property = format!("angle {angle}");
+    let old = joint.properties.iter().find(|own| own.name.node == "angle");
+    let line = match old {
+        Some(old) => {
+            let (before, after) = (old.span.start - span.start, old.span.end - span.start);
+            format!("{}{property}{}", written.get(..before)?, written.get(after..)?)
+        }
+        None => match written.rsplit_once('}') {
+            Some((before, after)) => format!("{}; {property} }}{after}", before.trim_end()),
+            None => format!("{written} {{ {property} }}"),
+        },
+    };
+    (!line.contains(['\n', '`']) && !line.contains("//")).then_some(line)
+}
+
+fn help_of(error: &Diagnosis) -> String {
+    Diagnostic::help(error).map(|help| help.to_string()).unwrap_or_default()
+}
+
+fn of_surplus(error: Diagnosis, text: Text<'_>) -> Diagnosis {
     let of_surplus = ["mech::determinacy::unbalanced", "mech::determinacy::overconstrained"];
-    if text.document.statements.len() > MOST_STATEMENTS || !of_surplus.iter().any(|code| error.is(code)) {
+    if !of_surplus.iter().any(|code| error.is(code)) {
         return error;
     }
-    let help = Diagnostic::help(&error).map(|help| help.to_string()).unwrap_or_default();
+    let help = help_of(&error);
     let mut fixes = swaps(&help, text.document);
     let is_clear = fixes.len() == 1 && !help.contains("leave out") && !help.contains("add ");
     if fixes.is_empty() {

@@ -1,6 +1,7 @@
 //! Read, compile, solve, and solve again with other values.
 
 mod agrees;
+mod closing;
 mod compile;
 mod critical;
 mod dimensions;

@@ -9,6 +9,7 @@ use crate::math::Vec2;
 use crate::model::{
     Circle, Guide, Line, LinkId, Mechanism, PairId, PairKind, Pin, Profile, ProfileShape, Wheel,
 };
+use assur_math::math::SAME;
 
 const MOST_TRIED: usize = 96;
 /// Lines offered as alternatives.
@@ -49,7 +50,10 @@ pub(super) fn missing_pairs(trial: Trial<'_>, defect: &Defect, among: &[BodyId])
         candidates.retain(|c| chosen.is_empty() || c.used <= MOST_USED);
         for (i, candidate) in candidates.iter().enumerate() {
             let with = [chosen.as_slice(), std::slice::from_ref(&candidate.kind)].concat();
-            let fit = trial.with(&with, &[]).fit();
+            let fit = match is_hub(trial.mechanism, &candidate.kind) {
+                true => trial.after(&Change { added: with.clone(), ..Change::default() }).fit,
+                false => trial.with(&with, &[]).fit(),
+            };
             let helps = fit.surplus <= defect.fit.surplus && fit.missing < now.missing;
             if !helps || !trial.agrees_with(&with) {
                 continue;
@@ -78,6 +82,12 @@ pub(super) fn missing_pairs(trial: Trial<'_>, defect: &Defect, among: &[BodyId])
         now = fit;
     }
     (!lines.is_empty()).then_some(Missing::Together { lines, pairs: chosen, left: now })
+}
+
+/// A pin in the centre of a circle: the rotation of a roller changes nothing.
+fn is_hub(mechanism: &Mechanism, kind: &PairKind) -> bool {
+    let PairKind::Revolute(pins) = kind else { return false };
+    pins.iter().any(|pin| mechanism.link(pin.link).circles.iter().any(|circle| circle.centre == pin.at))
 }
 
 /// A weld that holds all, where a link is free in its place and in its angle.
@@ -115,17 +125,26 @@ pub(super) fn candidates(trial: Trial<'_>, loose: &[LinkId], but: Option<PairId>
     all.extend(hinges(mechanism, &uses, &couples));
     if couples.len() <= MOST_COUPLES {
         all.extend(guides(mechanism, &uses, &couples));
+        all.extend(faces(mechanism, &uses, &couples));
         all.extend(contacts(mechanism, &uses, &couples));
     }
     // a slider is seldom the ground
     let pairs = |l: LinkId| if l == LinkId::GROUND { GROUNDED } else { pairs_of(mechanism, l).len() };
     all.sort_by_cached_key(|c| {
         let ends = ends(&c.kind);
-        let alike = ends[1].1.contains(ends[0].1);
+        let alike = ends[1].1.contains(ends[0].1) || is_on_its_line(&uses, &c.kind);
         (c.used, !alike, pairs(ends[0].0))
     });
     all.truncate(trial.most_tried(MOST_TRIED));
     all
+}
+
+/// A point whose letter is that of the point through which a line that nothing uses goes.
+fn is_on_its_line(uses: &Uses<'_>, kind: &PairKind) -> bool {
+    let (PairKind::Prismatic(guide) | PairKind::Slot(guide)) = kind else { return false };
+    let mut points = uses.points(guide.guide).iter();
+    uses.count(guide.guide, &guide.line_name) == 0
+        && points.any(|point| point.at == guide.through && point.name == guide.point_name)
 }
 
 /// Every two links of which one is loose at least, each two once.
@@ -213,11 +232,36 @@ fn guides(mechanism: &Mechanism, uses: &Uses<'_>, couples: &[[LinkId; 2]]) -> Ve
     out
 }
 
+/// Lines on lines that no other pair uses.
+fn faces(mechanism: &Mechanism, uses: &Uses<'_>, couples: &[[LinkId; 2]]) -> Vec<Candidate> {
+    let unused = |link: LinkId| {
+        let lines = mechanism.link(link).lines.iter();
+        lines.filter(move |line| uses.count(link, &line.name) == 0)
+    };
+    let mut out = Vec::new();
+    for &[base, slider] in couples {
+        for (own, line) in unused(slider).flat_map(|own| unused(base).map(move |line| (own, line))) {
+            let points = &mechanism.link(slider).points;
+            let Some(point) = points.iter().find(|point| point.at == own.through) else { continue };
+            let guide = Guide {
+                direction: own.along,
+                own_line: Some(own.name.clone()),
+                ..guide((slider, &point.name, point.at), (base, line))
+            };
+            out.push(Candidate { name: "c".to_owned(), kind: PairKind::Prismatic(guide), used: 0 });
+        }
+    }
+    out
+}
+
 fn has_one_pair(mechanism: &Mechanism, link: LinkId) -> bool {
     link != LinkId::GROUND && pairs_of(mechanism, link).len() == 1
 }
 
-fn guide((slider, point_name, point): (LinkId, &str, Vec2), (guide, line): (LinkId, &Line)) -> Guide {
+pub(super) fn guide(
+    (slider, point_name, point): (LinkId, &str, Vec2),
+    (guide, line): (LinkId, &Line),
+) -> Guide {
     Guide {
         slider,
         point_name: point_name.to_owned(),
@@ -286,19 +330,62 @@ fn meshes(mechanism: &Mechanism, loose: &[LinkId], wheels: &[&Wheel], idle: &[&W
     let taken = |name: &str| is_taken(mechanism, name, None);
     let mut lines = Vec::new();
     for wheel in loose.iter().flat_map(|l| wheels.iter().filter(move |w| w.link == *l)) {
-        for other in idle.iter().filter(|other| other.link != wheel.link) {
+        for other in idle.iter().filter(|other| other.link != wheel.link && can_mesh(other, wheel)) {
             let (a, b) = if other.span.start < wheel.span.start { (other, wheel) } else { (wheel, other) };
-            let around = if is_around(mechanism, other, wheel) { " { internal }" } else { "" };
-            let line = format!("mesh {}: {} - {}{around}", free_name("k", taken), a.name, b.name);
-            if !lines.contains(&line) {
-                lines.push(line);
-            }
-            if lines.len() == MOST_SHOWN - 1 {
-                return lines;
+            let is_around = is_around(mechanism, other, wheel);
+            let word = if is_around { "mesh" } else { transmission(mechanism, a, b) };
+            let around = if is_around { " { internal }" } else { "" };
+            let line = format!("{word} {}: {} - {}{around}", free_name("k", taken), a.name, b.name);
+            // the wheel that fits into the ring of another is its sun
+            let fits = is_around || is_sun(mechanism, other, wheel);
+            if !lines.contains(&(!fits, line.clone())) {
+                lines.push((!fits, line));
             }
         }
     }
-    lines
+    lines.sort_by_key(|line| line.0);
+    lines.truncate(if lines.first().is_some_and(|line| !line.0) { 1 } else { MOST_SHOWN - 1 });
+    lines.into_iter().map(|line| line.1).collect()
+}
+
+/// What runs between two wheels: teeth that may meet do, and pulleys only where they touch.
+fn transmission(mechanism: &Mechanism, a: &Wheel, b: &Wheel) -> &'static str {
+    let of_teeth = a.teeth.zip(b.teeth);
+    let known = if a.open { b } else { a };
+    let sum = match of_teeth {
+        Some((of_a, of_b)) => known.teeth.map(|own| known.radius / own * (of_a + of_b)),
+        None => (!a.open && !b.open).then_some(a.radius + b.radius),
+    };
+    let Some(sum) = sum.filter(|_| !known.open) else { return "mesh" };
+    let is_apart = apart(mechanism, a, b).map(|distance| distance - sum > SAME * sum);
+    match (of_teeth.is_some(), is_apart) {
+        (true, Some(true)) => "chain",
+        (false, None | Some(true)) => "belt",
+        (true, _) | (false, Some(false)) => "mesh",
+    }
+}
+
+/// How far apart the axes of two wheels are that turn on one link.
+fn apart(mechanism: &Mechanism, a: &Wheel, b: &Wheel) -> Option<f64> {
+    let axis = |wheel: &Wheel| {
+        mechanism.pairs.iter().find_map(|pair| {
+            let PairKind::Revolute(pins) = &pair.kind else { return None };
+            let [one, other] = pins.as_slice() else { return None };
+            let on = if one.link == wheel.link { other } else { one };
+            let own = if one.link == wheel.link { one } else { other };
+            let is_axis = own.link == wheel.link && wheel.centre == Some(own.at);
+            is_axis.then_some((on.link, on.at))
+        })
+    };
+    let (of_a, of_b) = (axis(a)?, axis(b)?);
+    (of_a.0 == of_b.0).then(|| (of_a.1 - of_b.1).norm())
+}
+
+/// Whether two wheels have teeth of one size, as far as both are known.
+fn can_mesh(a: &Wheel, b: &Wheel) -> bool {
+    let size = |wheel: &Wheel| wheel.teeth.filter(|_| !wheel.open).map(|teeth| wheel.radius / teeth);
+    let (Some(of_a), Some(of_b)) = (size(a), size(b)) else { return a.teeth.is_some() == b.teeth.is_some() };
+    (of_a - of_b).abs() <= SAME * of_a
 }
 
 /// The transmissions in which a wheel runs.
@@ -314,10 +401,23 @@ fn running<'m>(mechanism: &'m Mechanism, wheel: &'m Wheel) -> impl Iterator<Item
 
 /// Whether a wheel has the teeth of a ring around another one and a wheel with which that runs already.
 fn is_around(mechanism: &Mechanism, ring: &Wheel, planet: &Wheel) -> bool {
-    let beside = running(mechanism, planet).flat_map(|ends| {
-        let others = mechanism.wheels.iter().filter(|w| w.name != planet.name);
-        others.filter(|w| ends.contains(&w.name))
-    });
-    let sums = |sun: &Wheel| sun.teeth.zip(planet.teeth).map(|(sun, planet)| sun + 2.0 * planet);
-    ring.teeth.is_some_and(|teeth| beside.into_iter().any(|sun| sums(sun) == Some(teeth)))
+    beside(mechanism, planet).any(|sun| is_ring(ring, sun, planet))
+}
+
+/// Whether a wheel has the teeth of a sun between another one and a ring in which that runs already.
+fn is_sun(mechanism: &Mechanism, sun: &Wheel, planet: &Wheel) -> bool {
+    beside(mechanism, planet).any(|ring| is_ring(ring, sun, planet))
+}
+
+fn is_ring(ring: &Wheel, sun: &Wheel, planet: &Wheel) -> bool {
+    let around = sun.teeth.zip(planet.teeth).map(|(sun, planet)| sun + 2.0 * planet);
+    around.is_some() && ring.teeth == around
+}
+
+/// The wheels with which a wheel runs.
+fn beside<'m>(mechanism: &'m Mechanism, wheel: &'m Wheel) -> impl Iterator<Item = &'m Wheel> {
+    running(mechanism, wheel).flat_map(|ends| {
+        let others = mechanism.wheels.iter().filter(|other| other.name != wheel.name);
+        others.filter(|other| ends.contains(&other.name))
+    })
 }

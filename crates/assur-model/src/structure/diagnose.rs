@@ -17,7 +17,7 @@ use super::repeated::repeated;
 use super::ring::locked;
 use super::roller::{MOST_LABELS, counted, label, listed, names, with_lines};
 use super::trial::{Change, Trial};
-use super::words::{is_structure, links, one_of, statement};
+use super::words::{is_at_rest, is_structure, line, links, one_of, statement};
 use crate::math::Vec2;
 use crate::model::{
     DriveTarget, Expr, FrictionLimit, LinkId, Mechanism, PairId, PairKind, TransmissionKind, Value,
@@ -50,8 +50,7 @@ pub(super) fn of_motion(trial: Trial<'_>, count: &Count, defect: &Defect) -> Dia
             format!("the mechanism is underconstrained: mobility F = {formula}, {drives}"),
         )
         .labels(labels)
-        .help(to_add(trial, count, defect))
-        .added(),
+        .help(to_add(trial, count, defect)),
         (0, _) => Diagnosis::error(
             "mech::determinacy::overconstrained",
             format!("the mechanism is overconstrained: mobility F = {formula}, {drives}"),
@@ -348,8 +347,9 @@ fn to_add(trial: Trial<'_>, count: &Count, defect: &Defect) -> String {
     // a mesh takes one freedom
     let meshes = if missing == 1 { missing_meshes(trial, defect) } else { Vec::new() };
     if !meshes.is_empty() {
-        text +=
-            &with_lines(&format!("a wheel meshes with nothing; add {}", add_words(&meshes, true)), &meshes);
+        let is_mesh = meshes.iter().all(|line| line.starts_with("mesh"));
+        let idle = if is_mesh { "a wheel meshes with nothing" } else { "nothing runs on a wheel" };
+        text += &with_lines(&format!("{idle}; add {}", add_words(&meshes, true)), &meshes);
         text += "\nor ";
     }
     if let Some((name, line)) = guide_of_slot(trial, defect) {
@@ -358,13 +358,20 @@ fn to_add(trial: Trial<'_>, count: &Count, defect: &Defect) -> String {
     }
     let drive = if trial.mechanism.simulation.is_some() { "start" } else { "drive" };
     // a truss or a beam has no drive
-    let of_statics = is_structure(trial.mechanism);
-    let is_structure = count.drives == 0 && of_statics;
-    let looks = count.drives > 0 || missing > 2 || is_structure;
+    let is_at_rest = is_at_rest(trial.mechanism);
+    let is_structure = count.drives == 0 && is_structure(trial.mechanism);
+    let looks = count.drives > 0 || missing > 2 || is_at_rest;
     let pairs = looks.then(|| missing_pairs(trial, defect, &defect.loose)).flatten();
+    let clamp = if is_at_rest && pairs.is_none() { clamp(trial, defect) } else { None };
+    if let Some((line, pin)) = clamp {
+        text += &format!("write `{line}` in place of {pin}\nor ");
+    }
     if let Some(missing) = pairs {
+        let is_enough = matches!(missing, Missing::OneOf(_));
         text += &pairs_to_add(trial, missing, &defect.loose);
-        text += &or_weld(trial, defect, &defect.loose);
+        if !is_enough {
+            text += &or_weld(trial, defect, &defect.loose);
+        }
         if is_structure {
             return text;
         }
@@ -380,16 +387,29 @@ fn to_add(trial: Trial<'_>, count: &Count, defect: &Defect) -> String {
     }
 }
 
+/// The only pin on the ground as a weld: what rests is clamped.
+fn clamp(trial: Trial<'_>, defect: &Defect) -> Option<(String, String)> {
+    let mechanism = trial.mechanism;
+    let pairs = mechanism.pairs.iter().enumerate();
+    let mut grounded = pairs.filter(|(_, pair)| pair.kind.links().contains(&LinkId::GROUND));
+    let ((at, pair), None) = (grounded.next()?, grounded.next()) else { return None };
+    let PairKind::Revolute(pins) = &pair.kind else { return None };
+    let kind = PairKind::Weld { pins: pins.clone(), angle: 0.0 };
+    let heals =
+        defect.fit.missing == 1 && trial.after(&Change::writing(PairId::at(at), kind.clone())).is_sound();
+    let line = line(mechanism, &pair.name, &kind).filter(|_| heals)?;
+    Some((line, statement(mechanism, PairId::at(at))))
+}
+
 /// A slot that leaves its slider loose, where a prismatic pair in its place leaves nothing loose.
 fn guide_of_slot(trial: Trial<'_>, defect: &Defect) -> Option<(String, String)> {
     let mechanism = trial.mechanism;
     mechanism.pairs.iter().enumerate().find_map(|(i, pair)| {
         let PairKind::Slot(g) = &pair.kind else { return None };
-        let loose = defect.loose.contains(&trial.replaced.body_of(g.slider)) && !g.point_name.is_empty();
-        let as_guide = || Change::writing(PairId::at(i), PairKind::Prismatic(g.clone()));
-        let fits = loose && trial.after(&as_guide()).is_sound();
-        let (slider, base) = (&mechanism.link(g.slider).name, &mechanism.link(g.guide).name);
-        let line = format!("prismatic {}: {slider}.{} - {base}.{}", pair.name, g.point_name, g.line_name);
+        let loose = defect.loose.contains(&trial.replaced.body_of(g.slider));
+        let kind = PairKind::Prismatic(g.clone());
+        let line = line(mechanism, &pair.name, &kind).filter(|_| loose)?;
+        let fits = trial.after(&Change::writing(PairId::at(i), kind)).is_sound();
         fits.then(|| (pair.name.clone(), line))
     })
 }

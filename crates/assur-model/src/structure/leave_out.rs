@@ -7,7 +7,7 @@ use super::incidence::Incidence;
 use super::order::{Named, Order, Rank};
 use super::replace;
 use super::trial::{Change, Outcome, Statement, Trial, leave_out, leave_out_link};
-use super::words::{is_structure, line, pairs_of, statement};
+use super::words::{drive_statement, is_structure, line, pairs_of, statement};
 use crate::math::Vec2;
 use crate::model::{Guide, LinkId, Mechanism, PairId, PairKind, Pin, Rate};
 
@@ -47,10 +47,7 @@ pub(super) enum Sort {
 /// An effort as its statement begins: `drive crank`, `start crank`, `balance Mb`.
 fn effort_statement(mechanism: &Mechanism, source: EffortSource) -> String {
     match source {
-        EffortSource::Drive(id) => {
-            let drive = &mechanism.drives[id.index()];
-            format!("`{} {}`", if drive.free { "start" } else { "drive" }, drive.written_name())
-        }
+        EffortSource::Drive(id) => drive_statement(&mechanism.drives[id.index()]),
         EffortSource::Balance(id) => format!("`balance {}`", mechanism.balances[id.index()].name),
     }
 }
@@ -112,11 +109,12 @@ impl Repair<'_> {
     /// The changes that make the part sound, each by itself, the likeliest first; where some make the whole sound, those alone.
     pub(super) fn mends(&self) -> Vec<Mend> {
         let mut mends: Vec<Mend> = Vec::new();
+        let moves = !is_structure(self.trial.mechanism);
         for (mut mend, change) in self.tried() {
             let now = self.trial.after(&change);
             if self.is_sound(&now) {
                 mend.heals = now.is_sound();
-                mend.unmoved = if mend.heals { now.incidence.unmoved().len() } else { 0 };
+                mend.unmoved = if mend.heals && moves { now.incidence.unmoved().len() } else { 0 };
                 mends.push(mend);
             }
         }
@@ -150,7 +148,7 @@ impl Repair<'_> {
             left_out,
         };
         let mut statements = self.statements();
-        statements.sort_by_key(|statement| (named.has(*statement), order.rank(*statement)));
+        statements.sort_by_cached_key(|statement| (named.has(*statement), order.rank(*statement)));
         let left_out = statements.into_iter().take(2 * most).map(|one| {
             let (sort, text) = self.words(one);
             (mend(sort, text, order.rank(one), named.has(one), Some(one)), Change::without(one))

@@ -173,7 +173,7 @@ pub(super) fn or_without(trial: Trial<'_>, pair: PairId, help: String) -> String
     if is_spare { format!("{help}, or leave out {}", statement(trial.mechanism, pair)) } else { help }
 }
 
-fn degrees(angle: f64) -> String {
+pub(super) fn degrees(angle: f64) -> String {
     format!("{} deg", significant(wrapped(angle).to_degrees(), 12))
 }
 

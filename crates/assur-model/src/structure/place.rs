@@ -4,6 +4,7 @@ use super::defect::{Defect, Fit};
 use super::effort::{Effort, EffortKind, X_AXES};
 use super::incidence::Incidence;
 use super::trial::Trial;
+use super::words::{drive_statement, drive_word};
 use crate::model::{Drive, DriveTarget, LinkId};
 use assur_text::diagnostic::{Diagnosis, Fix};
 
@@ -14,15 +15,14 @@ pub(super) fn without_angle(trial: Trial<'_>, defect: &Defect) -> Option<Diagnos
         let angle = EffortKind::Angle(trial.replaced.body_of(*link));
         is_loose(*link) && trial.with(&[], &[angle]).fit().missing < defect.fit.missing
     })?;
-    let (name, point, word) = (&trial.mechanism.link(link).name, drive.written_name(), word(drive));
-    let message = format!(
-        "`{name}` may turn: `{word} {point}` gives the place of a point, and nothing gives its angle"
-    );
+    let (name, word) = (&trial.mechanism.link(link).name, drive_word(drive));
+    let what = drive_statement(drive);
+    let message =
+        format!("`{name}` may turn: {what} gives the place of a point, and nothing gives its angle");
     Some(
         Diagnosis::error("mech::determinacy::underconstrained", message)
             .label(drive.span, "two coordinates of three")
-            .help(format!("add the line\n  {word} {name} = 0 deg"))
-            .added(),
+            .help(format!("add the line\n  {word} {name} = 0 deg")),
     )
 }
 
@@ -35,9 +35,9 @@ pub(super) fn in_place_of_angle(trial: Trial<'_>, defect: &Defect) -> Option<Dia
         let Fit { missing, surplus, .. } = by_angle(trial, *link).fit();
         missing == 0 && surplus == 0
     })?;
-    let (name, point, word) = (&trial.mechanism.link(link).name, drive.written_name(), word(drive));
-    let line = format!("{word} {name} = 45 deg");
-    let message = format!("`{word} {point}` gives two coordinates, and one freedom of `{name}` is left");
+    let name = &trial.mechanism.link(link).name;
+    let (what, line) = (drive_statement(drive), format!("{} {name} = 45 deg", drive_word(drive)));
+    let message = format!("{what} gives two coordinates, and one freedom of `{name}` is left");
     Some(
         Diagnosis::error("mech::determinacy::overconstrained", message)
             .label(drive.span, "two coordinates")
@@ -67,8 +67,4 @@ fn places(trial: Trial<'_>) -> impl Iterator<Item = (LinkId, &Drive)> {
         DriveTarget::Place(link, ..) => Some((link, drive)),
         _ => None,
     })
-}
-
-const fn word(drive: &Drive) -> &'static str {
-    if drive.free { "start" } else { "drive" }
 }

@@ -5,13 +5,13 @@
 use super::echelon::{Echelon, Number, row};
 use super::effort::{Effort, EffortKind, EffortSource};
 use super::joint::{BodyId, BodyOrigin, JointId, JointKind, Replaced};
-use super::lines::{Edge, Placed, chains, or_without};
+use super::lines::{Edge, Placed, angle, chains, degrees, or_without};
 use super::roller::listed;
 use super::trial::Trial;
 use super::uses::Uses;
-use super::words::statement;
+use super::words::{drive_statement, drive_word, ends, free_name, is_taken, line, statement};
 use crate::math::Vec2;
-use crate::model::{LinkId, Mechanism, PairId, PairKind, Value};
+use crate::model::{Guide, LinkId, Mechanism, Pair, PairId, PairKind, Value};
 use crate::units::Dimension;
 use assur_text::diagnostic::Diagnosis;
 
@@ -188,6 +188,12 @@ impl<'a> Chains<'a> {
         self.replaced.bodies[body.0].on_rim
     }
 
+    /// The angle of a link, from the first body of its chain.
+    fn angle(&self, link: LinkId) -> f64 {
+        let body = self.placed[self.replaced.body_of(link).0].map_or(0.0, |placed| placed.angle);
+        body + self.replaced.part(link).map_or(0.0, |part| part.angle)
+    }
+
     /// A vector of a body in the axes of the first body of its chain.
     fn turned(&self, body: BodyId, vector: Vec2) -> Vec2 {
         vector.turned(unit(self.placed[body.0].map_or(0.0, |placed| placed.angle)))
@@ -313,13 +319,18 @@ fn apart(trial: Trial<'_>, chains: &Chains<'_>, pair: PairId, repeated: &Repeate
             (lies, "parallel, and not on each other")
         }
         kind => {
-            let ends: Vec<String> =
-                super::words::ends(kind).iter().map(|(link, name)| of(*link, name)).collect();
+            let ends: Vec<String> = ends(kind).iter().map(|(link, name)| of(*link, name)).collect();
             (format!("{} stay {distance} apart", listed(&ends, "and")), "never at one place")
         }
     };
     let help = match moved(trial, chains, pair, repeated.gap) {
-        Some((name, [x, y], link)) => format!("write `{name} ({}, {})` in `{link}`", length(x), length(y)),
+        Some(Moved { name, to, link, line: None }) => {
+            format!("write `{name} ({}, {})` in `{link}`", length(to[0]), length(to[1]))
+        }
+        Some(Moved { name, to, link, line: Some(line) }) => {
+            let at = format!("{name} ({}, {})", length(to[0]), length(to[1]));
+            format!("others use the point: add `{at}` to `{link}`, and write `{line}`")
+        }
         None => format!("move a point by {distance}"),
     };
     Diagnosis::error(
@@ -330,14 +341,19 @@ fn apart(trial: Trial<'_>, chains: &Chains<'_>, pair: PairId, repeated: &Repeate
     .help(or_without(trial, pair, help))
 }
 
-/// A point that no other pair uses, where it has to be for a pair to hold.
-fn moved(
-    trial: Trial<'_>,
-    chains: &Chains<'_>,
-    pair: PairId,
-    gap: Vec2,
-) -> Option<(String, [f64; 2], String)> {
-    let Trial { mechanism, replaced, .. } = trial;
+/// A point where it has to be for a pair to hold.
+struct Moved {
+    name: String,
+    /// m
+    to: [f64; 2],
+    link: String,
+    /// What else is to be written, where it is a new point.
+    line: Option<String>,
+}
+
+/// A point that no other pair uses, or a new one in its place.
+fn moved(trial: Trial<'_>, chains: &Chains<'_>, pair: PairId, gap: Vec2) -> Option<Moved> {
+    let mechanism = trial.mechanism;
     let uses = Uses::of(mechanism, Some(pair));
     let ends = match &mechanism.pair(pair).kind {
         PairKind::Prismatic(g) | PairKind::Slot(g) => [(g.slider, g.point), (g.guide, g.through)],
@@ -348,23 +364,58 @@ fn moved(
         _ => return None,
     };
     // the first end moves by the gap, or the second by its opposite
-    let mut ends: Vec<(LinkId, Vec2, Vec2)> =
-        [(ends[0], gap), (ends[1], gap * -1.0)].map(|((link, at), gap)| (link, at, gap)).to_vec();
+    let ends = [(ends[0], gap), (ends[1], gap * -1.0)].map(|((link, at), gap)| (link, at, gap));
+    let place = |&(link, at, gap): &(LinkId, Vec2, Vec2)| {
+        let to = at + gap.turned_back(unit(chains.angle(link)));
+        [to.x, to.y].map(|x| if x.abs() < SAME * chains.size { 0.0 } else { x })
+    };
+    let mut likely = ends;
     // the first point of a link is its origin by the way it is written
-    ends.sort_by_key(|(link, at, _)| (*at == Vec2::zero(), *link == LinkId::GROUND));
-    ends.into_iter().find_map(|(link, at, gap)| {
-        let points = mechanism.link(link).points.iter();
-        let point = points.into_iter().find(|point| point.at == at)?;
-        if uses.count(link, &point.name) + uses.of_lines(link, point) > 0 {
-            return None;
+    likely.sort_by_key(|(link, at, _)| (*at == Vec2::zero(), *link == LinkId::GROUND));
+    let unused = likely.iter().find_map(|end| {
+        let points = &mechanism.link(end.0).points;
+        let point = points.iter().find(|point| point.at == end.1)?;
+        let is_used = uses.count(end.0, &point.name) + uses.of_lines(end.0, point) > 0;
+        (!is_used).then(|| Moved {
+            name: point.name.clone(),
+            to: place(end),
+            link: mechanism.link(end.0).name.clone(),
+            line: None,
+        })
+    });
+    unused.or_else(|| new_point(mechanism, pair, place(&ends[0])))
+}
+
+/// A point of the first link of a pair beside the one that the pair joins.
+fn new_point(mechanism: &Mechanism, pair: PairId, to: [f64; 2]) -> Option<Moved> {
+    let Pair { name: own, kind, .. } = mechanism.pair(pair);
+    let link = mechanism.link(*kind.links().first()?);
+    let (_, old) = *ends(kind).first()?;
+    let taken =
+        |name: &str| is_taken(mechanism, name, None) || link.points.iter().any(|point| point.name == name);
+    let name = free_name(&format!("{old}2"), taken);
+    let at = Vec2::new(to[0], to[1]);
+    let line = match kind.clone() {
+        PairKind::Prismatic(guide) | PairKind::Slot(guide) if guide.own_line.is_some() => {
+            let along = degrees(angle(guide.direction));
+            format!("line {} through {name} along {along}", guide.own_line.unwrap_or_default())
         }
-        let body = replaced.body_of(link);
-        let angle = chains.placed[body.0].map_or(0.0, |placed| placed.angle);
-        let angle = angle + replaced.part(link).map_or(0.0, |part| part.angle);
-        let to = at + gap.turned_back(unit(angle));
-        let rounded = |x: f64| if x.abs() < SAME * chains.size { 0.0 } else { x };
-        Some((point.name.clone(), [rounded(to.x), rounded(to.y)], mechanism.link(link).name.clone()))
-    })
+        PairKind::Prismatic(guide) => {
+            let guide = Guide { point_name: name.clone(), point: at, ..guide };
+            line(mechanism, own, &PairKind::Prismatic(guide))?
+        }
+        PairKind::Slot(guide) => {
+            let guide = Guide { point_name: name.clone(), point: at, ..guide };
+            line(mechanism, own, &PairKind::Slot(guide))?
+        }
+        PairKind::Revolute(mut pins) => {
+            let first = pins.first_mut()?;
+            (first.name, first.at) = (name.clone(), at);
+            line(mechanism, own, &PairKind::Revolute(pins))?
+        }
+        _ => return None,
+    };
+    Some(Moved { name, to, link: link.name.clone(), line: Some(line) })
 }
 
 /// What parallel lines leave free.
@@ -380,12 +431,12 @@ fn free(trial: Trial<'_>, chains: &Chains<'_>, repeated: &Repeated) -> Diagnosis
                 return Diagnosis::error("mech::determinacy::parallel", "parallel lines leave a link free");
             };
             let drive = &mechanism.drives[id.index()];
-            let (word, name) = (if drive.free { "start" } else { "drive" }, drive.written_name());
+            let (what, word, name) = (drive_statement(drive), drive_word(drive), drive.written_name());
             let other = other_coordinate(trial, chains, effort)
                 .map_or_else(String::new, |pair| format!("write `{word} {pair}`, with its own value, or "));
             Diagnosis::error(
                 "mech::determinacy::parallel",
-                format!("`{word} {name}` moves nothing: {by} {holds} `{name}` already, by parallel lines"),
+                format!("{what} moves nothing: {by} {holds} `{name}` already, by parallel lines"),
             )
             .label(drive.span, "cannot change")
             .help(format!("{other}{turn}"))

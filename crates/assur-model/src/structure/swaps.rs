@@ -1,13 +1,13 @@
 //! A pair with a wrong end, or at a wrong place: another one written in its place makes all determined.
 
-use super::add_pair::candidates;
+use super::add_pair::{candidates, guide};
 use super::defect::Defect;
 use super::leave_out::{is_driven, is_spare};
 use super::order::{Order, Rank};
 use super::trial::{Change, Statement, Trial};
 use super::uses::Uses;
 use super::words::{ends, free_name, is_taken, line, links, statement};
-use crate::model::{Link, LinkId, Mechanism, PairId, PairKind, Pin};
+use crate::model::{Link, LinkId, Mechanism, Pair, PairId, PairKind, Pin};
 
 /// Pairs that may be wrong, and lines tried in their place.
 const MOST_WRONG: usize = 48;
@@ -84,7 +84,12 @@ fn swaps(trial: Trial<'_>, defect: &Defect) -> Vec<Swap> {
             }
             let Some(line) = line(mechanism, name, &kind) else { return };
             let ends = ends(&kind);
-            let odd = ends.iter().any(|end| end.1 != name);
+            let is_slide = !moved && kind.word() != mechanism.pair(pair).kind.word();
+            // a pin that is called as a point was meant as a pin
+            let odd = match is_slide {
+                true => mechanism.links.iter().flat_map(|link| &link.points).any(|point| point.name == name),
+                false => ends.iter().any(|end| end.1 != name),
+            };
             // what looks right is not given up for a guess
             if moved && odd && rank.0 >= 0 {
                 return;
@@ -92,11 +97,14 @@ fn swaps(trial: Trial<'_>, defect: &Defect) -> Vec<Swap> {
             let likelihood = Likelihood { odd, used, rank, moved };
             all.push(Swap { wrong: pair, kind, line, likelihood });
         };
-        for kind in with_another_end(mechanism, &mechanism.pair(pair).kind) {
+        let is_spare = is_spare(mechanism, pair);
+        let Pair { name, kind, .. } = mechanism.pair(pair);
+        let others = if is_spare { of_another_kind(mechanism, kind) } else { Vec::new() };
+        for kind in with_another_end(mechanism, kind).into_iter().chain(others) {
             let used = ends(&kind).iter().map(|end| uses.count(end.0, end.1)).sum();
-            offer(&mechanism.pair(pair).name, kind, used, false);
+            offer(name, kind, used, false);
         }
-        if !is_spare(mechanism, pair) {
+        if !is_spare {
             continue;
         }
         let mut loose: Vec<LinkId> = links(trial.replaced, &defect.loose).collect();
@@ -161,4 +169,16 @@ fn with_another_end(mechanism: &Mechanism, kind: &PairKind) -> Vec<PairKind> {
         }
         _ => Vec::new(),
     }
+}
+
+/// A pin of two links as a slide of one of its points along a line of the other link.
+fn of_another_kind(mechanism: &Mechanism, kind: &PairKind) -> Vec<PairKind> {
+    let PairKind::Revolute(pins) = kind else { return Vec::new() };
+    let [first, second] = pins.as_slice() else { return Vec::new() };
+    let ways = [(first, second), (second, first)].into_iter();
+    let guides = ways.flat_map(|(pin, other)| {
+        let lines = mechanism.link(other.link).lines.iter();
+        lines.map(|line| guide((pin.link, &pin.name, pin.at), (other.link, line)))
+    });
+    guides.flat_map(|guide| [PairKind::Prismatic(guide.clone()), PairKind::Slot(guide)]).collect()
 }

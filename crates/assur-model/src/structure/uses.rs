@@ -42,6 +42,10 @@ impl<'a> Uses<'a> {
         *self.counts.entry((link, name)).or_default() += 1;
     }
 
+    pub(super) fn points(&self, link: LinkId) -> &'a [Point] {
+        &self.mechanism.link(link).points
+    }
+
     pub(super) fn count(&self, link: LinkId, name: &str) -> usize {
         self.counts.get(&(link, name)).copied().unwrap_or(0)
     }

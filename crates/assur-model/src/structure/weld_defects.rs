@@ -3,8 +3,8 @@
 use super::joint::{BodyId, Replaced};
 use super::roller::{MOST_LABELS, label, names};
 use super::weld::{Welds, is_law, spoken_of, weld};
-use super::words::statement;
-use crate::model::{Drive, DriveTarget, LinkId, Mechanism, PairId, PairKind, Pin};
+use super::words::{drive_statement, line, statement};
+use crate::model::{Drive, DriveTarget, LinkId, Mechanism, PairId, PairKind};
 use assur_text::diagnostic::Diagnosis;
 
 /// What welds cannot be: rings, pairs within one body, links that laws speak of, points that are driven.
@@ -109,15 +109,10 @@ fn hinge(mechanism: &Mechanism, slot: PairId, welds: &[PairId]) -> Option<(Strin
     let ([weld], PairKind::Slot(guide)) = (welds, &mechanism.pair(slot).kind) else { return None };
     let pair = mechanism.pair(*weld);
     let PairKind::Weld { pins, .. } = &pair.kind else { return None };
-    let [first, second] = pins.as_slice() else { return None };
-    if pins.iter().any(|pin| pin.link == guide.slider && pin.at == guide.point) {
+    if pins.len() != 2 || pins.iter().any(|pin| pin.link == guide.slider && pin.at == guide.point) {
         return None;
     }
-    let end = |pin: &Pin| {
-        let link = &mechanism.link(pin.link).name;
-        if pin.name == pair.name { link.clone() } else { format!("{link}.{}", pin.name) }
-    };
-    let line = format!("revolute {}: {} - {}", pair.name, end(first), end(second));
+    let line = line(mechanism, &pair.name, &PairKind::Revolute(pins.clone()))?;
     Some((line, statement(mechanism, *weld)))
 }
 
@@ -138,12 +133,12 @@ fn of_law(mechanism: &Mechanism, pair: PairId, link: LinkId) -> Diagnosis {
 
 fn of_fixed(mechanism: &Mechanism, replaced: &Replaced, drive: &Drive) -> Diagnosis {
     let welds = welds_of(mechanism, replaced, LinkId::GROUND);
-    let (word, name) = (if drive.free { "start" } else { "drive" }, drive.written_name());
+    let what = drive_statement(drive);
     Diagnosis::error(
         "mech::determinacy::overconstrained",
-        format!("`{word} {name}` moves a link that is welded to the ground"),
+        format!("{what} moves a link that is welded to the ground"),
     )
     .primary(drive.span, "nothing can move here")
     .labels(welds.iter().map(|weld| label("holds it", mechanism.pair(*weld).span)).take(MOST_LABELS))
-    .help(format!("leave out `{word} {name}`: reactions of what does not move need no drive"))
+    .help(format!("leave out {what}: reactions of what does not move need no drive"))
 }
