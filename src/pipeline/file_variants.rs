@@ -140,10 +140,13 @@ pub fn look_at(source: &Source, overrides: &Overrides) -> (Option<Compiled>, Pro
     }
 }
 
-/// What `solve` would find at once: that `assemble` is missing, and more positions than a table has.
+/// What `solve` would find at once, as warnings, since the structure is sound: that `assemble` is missing, and more positions than a
+/// table has.
 fn known_early(model: &Model<'_>) -> Vec<Diagnosis> {
-    let mut found =
-        not_chosen(model).map(|failure| message::failure(model, &failure)).into_iter().collect::<Vec<_>>();
+    let mut found = not_chosen(model)
+        .map(|failure| message::failure(model, &failure).as_warning())
+        .into_iter()
+        .collect::<Vec<_>>();
     let positions = is_long(model).then(|| too_many(model, most_written(model)).as_warning());
     found.extend(positions);
     found
