@@ -81,7 +81,7 @@ impl<'a> Equations<'a, '_> {
             own.into_iter().any(|when| std::ptr::eq(when, **expr))
         };
         let (conditions, values): (Vec<&Expr>, Vec<&Expr>) =
-            exprs.iter().partition(|expr| is_condition(&expr));
+            exprs.iter().partition(|expr| is_condition(expr));
         self.loads_need_angles = loads_need_angles(mechanism, values.into_iter());
         self.conditions_need_angles = loads_need_angles(mechanism, conditions.into_iter());
         self.switches = switches(mechanism, exprs);
