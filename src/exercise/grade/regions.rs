@@ -80,7 +80,8 @@ impl<'k> Marker<'k> {
     /// Whether whole turns make no difference to a quantity.
     pub(super) fn turns(&self, place: usize, key: f64) -> bool {
         let unit = &self.key.quantities[place].unit;
-        unit.dimension == Dimension::ANGLE && turns::are_free(key, unit.factor)
+        let is_free = unit.dimension == Dimension::ANGLE && turns::are_free(key, unit.factor);
+        is_free && !self.key.counts_turns(&self.key.rows[self.index], place)
     }
 
     /// Of an angle the opposite sign, the opposite direction and the supplement, each as far as it is the nearest.

@@ -260,6 +260,9 @@ fn key(answers: &Answers<'_>, poses: &[Option<&Pose>]) -> Result<Sheet, Fault> {
         text.push(',');
         write_text(&header, &mut text);
     }
+    if let Some(cells) = columns.counted_turns(answers.model.mechanism) {
+        text += &format!("\nturns{cells}");
+    }
     for (i, pose) in poses.iter().enumerate() {
         text += &format!("\n{i}");
         match pose {
@@ -280,10 +283,10 @@ fn intervals(pieces: &[Piece<'_>], of: &Quantity, rules: &Rules, language: Langu
     let mut kept: Vec<&Piece<'_>> = pieces.iter().collect();
     kept.sort_by_key(|piece| piece.slip.map(|slip| (part(piece) == 0.0, slip.rank())));
     let right = kept.iter().take_while(|piece| piece.slip.is_none()).count();
+    let earning = kept[right..].iter().take_while(|piece| part(piece) > 0.0).count();
     let interval = |piece: &Piece<'_>| Interval {
         middle: of.unit.from_si(piece.middle),
         half: of.unit.from_si(piece.half),
-    let earning = kept[right..].iter().take_while(|piece| part(piece) > 0.0).count();
         words: verdict(language, piece.slip.map(|slip| slip.words()).as_deref()),
         part: part(piece),
     };
