@@ -134,9 +134,9 @@ find {find}
 "
         )
     };
-    let whole = assur::solve(&text(24, "max(efficiency())")).unwrap();
+    let whole = assur::solve(text(24, "max(efficiency())")).unwrap();
     let most = whole.poses()[0]["max(efficiency())"].number().unwrap();
-    let swept = assur::solve(&text(3600, "efficiency()")).unwrap();
+    let swept = assur::solve(text(3600, "efficiency()")).unwrap();
     let values = swept.poses().iter().map(|pose| pose["efficiency()"].number().unwrap());
     let greatest = values.fold(0.0, f64::max);
     assert!((0.0..1e-6).contains(&(most - greatest)), "{most} {greatest}");
