@@ -170,6 +170,9 @@ fn a_row_of_the_key_says_where_turns_count() {
     assert_eq!(verdicts(""), "right right right right");
     assert_eq!(verdicts(",turns,,counted\n"), "right wrong right wrong");
     assert_eq!(verdicts("y.mech,turns,counted,\n"), "right right wrong right");
+    // a key that is filled in is a table of answers
+    let key = "row,a [deg]\nturns,counted\n1,40\n";
+    assert_eq!(graded(key, key, &[]).status, 0);
     let said = graded("row,a [deg]\nturns,many\n1,40\n", "row,a [deg]\n1,40\n", &[]);
     assert!(said.stderr.contains("`many` says nothing of whole turns"), "{}", said.stderr);
 }

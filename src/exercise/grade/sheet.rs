@@ -180,14 +180,17 @@ impl Sheet {
                 Role::Quantity(..) | Role::LeftOut => {}
             }
         }
-        let is_called =
-            |word: &str| key.is_none() && names[1..3].iter().flatten().any(|n| n.eq_ignore_ascii_case(word));
-        if is_called(POINTS) {
+        let is_called = |word: &str| names[1..3].iter().flatten().any(|n| n.eq_ignore_ascii_case(word));
+        if key.is_some() && is_called(TURNS) {
+            // a key that was filled in
+            return Ok(());
+        }
+        if key.is_none() && is_called(POINTS) {
             let points = self.points_of(roles, (line, text), &found, names[0].take()).map_err(fault)?;
             self.points.push(points);
             return Ok(());
         }
-        if is_called(TURNS) {
+        if key.is_none() && is_called(TURNS) {
             let turns = self.turns_of(roles, line, &found, names[0].take()).map_err(fault)?;
             self.turns.push(turns);
             return Ok(());
