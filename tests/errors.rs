@@ -139,6 +139,7 @@ fn asked(source: &Source) -> Problems {
             several: true,
             pose: None,
             one_per_answer: false,
+            unit_penalty: 1.0,
             picture: Picture::None,
         };
         if let Some(quiz) = quiz {

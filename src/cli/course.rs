@@ -327,6 +327,7 @@ impl Exercise {
             several: !row.name.is_empty(),
             pose: args.pose.as_deref(),
             one_per_answer: args.one_per_answer,
+            unit_penalty: args.unit_penalty.unwrap_or(1.0),
             picture: args.picture.into(),
         };
         moodle.questions(quiz, &|svg| encoded(args.picture, svg))

@@ -251,7 +251,9 @@ impl<'a> Key<'a> {
                     && turns::are_free(outcome.expected.magnitude(), expect.display.factor)
                     && turns::is_direction(self.model.mechanism, &expect.expr);
                 let within = match &expect.tolerance {
-                    Tolerance::Relative(r) => r * outcome.expected.magnitude(),
+                    Tolerance::Relative(r) => {
+                        r * turns::scale(outcome.turns_free, outcome.expected.magnitude())
+                    }
                     Tolerance::Absolute(a) => *a,
                     Tolerance::Written(each) => each.get(case).copied().unwrap_or(0.0),
                     Tolerance::None => 0.0,

@@ -1,7 +1,7 @@
 //! Whole turns: they make no difference to a direction, and count where something turns many times.
 
 use assur_model::model::{BinaryOp, CycleFunction, Expr, Function, Mechanism, Positions, Query, Value};
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
 /// A turn, and what rounding adds to it.
 const ONE: f64 = TAU * (1.0 + 1e-6);
@@ -18,6 +18,12 @@ pub fn are_free(right: f64, unit: f64) -> bool {
 pub fn difference(are_free: bool, x: f64, from: f64) -> f64 {
     let plain = x - from;
     if are_free { plain - TAU * (plain / TAU).round() } else { plain }
+}
+
+/// What a tolerance is a part of: no direction is further off than half a turn.
+#[must_use]
+pub const fn scale(are_free: bool, size: f64) -> f64 {
+    if are_free { size.min(PI) } else { size }
 }
 
 /// Whether an angle is a direction, and that of something which turns once at most.

@@ -4,12 +4,15 @@ use super::answers::{Answers, pose_header, with_unit};
 use super::csv;
 use super::reactions::moment;
 use super::simulation;
+use crate::exercise::turns;
 use assur_math::math::Vec2;
-use assur_model::model::{Bearing, Display, DriveTarget, FindKind, LinkId, PairId, PairKind, Value};
+use assur_model::model::{
+    Bearing, Display, DriveTarget, FindKind, LinkId, Mechanism, PairId, PairKind, Value,
+};
 use assur_solve::solve::{
     DriveValue, JointReaction, Model, MotionScales, Pose, PoseAnswers, State, unplaced_reactions,
 };
-use assur_text::units::{Dimension, push_significant};
+use assur_text::units::{Dimension, lookup, push_significant};
 
 /// Digits that survive the way from SI into the author's unit: 30 deg stay 30 deg.
 pub const FULL: usize = 15;
@@ -158,6 +161,24 @@ impl AnswerColumns {
     pub fn headers(&self, key: bool) -> Vec<String> {
         let shown = &self.answers[if key { self.drives } else { 0 }..];
         shown.iter().flat_map(|a| a.columns().map(|name| with_unit(&name, &a.display.unit))).collect()
+    }
+
+    /// The cells of a key that say of which angles whole turns count, each with a comma before it; `None` where of none.
+    #[must_use]
+    pub fn counted_turns(&self, mechanism: &Mechanism) -> Option<String> {
+        let is_counted = |answer: &Answer| {
+            let Content::Find { index, .. } = answer.content else { return false };
+            let FindKind::Value { expr, .. } = &mechanism.finds[index].kind else { return false };
+            let is_angle = lookup(&answer.display.unit).is_ok_and(|unit| unit.dimension == Dimension::ANGLE);
+            is_angle && !turns::is_direction(mechanism, expr)
+        };
+        let shown = &self.answers[self.drives..];
+        let cells = shown.iter().map(|answer| match (is_counted(answer), answer.vector) {
+            (true, _) => ",counted",
+            (false, true) => ",,",
+            (false, false) => ",",
+        });
+        shown.iter().any(is_counted).then(|| cells.collect())
     }
 
     /// Writes the answers at a pose, each with a comma before it; empty where there is none.

@@ -157,3 +157,86 @@ fn what_slips_come_to_in_words() {
     let said = graded(KEY, answers, &["--only-answered"]);
     snapshot("slips", &said.stdout);
 }
+
+/// A key says where whole turns count; without it angles up to a turn are directions.
+#[test]
+fn a_row_of_the_key_says_where_turns_count() {
+    let verdicts = |turns: &str| {
+        let key = format!("file,row,a [deg],b [deg]\n{turns}x.mech,1,40,40\ny.mech,1,40,40\n");
+        let answers = "file,row,a [deg],b [deg]\nx.mech,1,400,400\ny.mech,1,400,400\n";
+        let said = graded(&key, answers, &["--format", "csv"]);
+        column(&said.stdout, "verdict")[..4].join(" ")
+    };
+    assert_eq!(verdicts(""), "right right right right");
+    assert_eq!(verdicts(",turns,,counted\n"), "right wrong right wrong");
+    assert_eq!(verdicts("y.mech,turns,counted,\n"), "right right wrong right");
+    // a key that is filled in is a table of answers
+    let key = "row,a [deg]\nturns,counted\n1,40\n";
+    assert_eq!(graded(key, key, &[]).status, 0);
+    let said = graded("row,a [deg]\nturns,many\n1,40\n", "row,a [deg]\n1,40\n", &[]);
+    assert!(said.stderr.contains("`many` says nothing of whole turns"), "{}", said.stderr);
+}
+
+const CYCLE: &str = "row,pose,M [N*m],J [kg*m^2],W [J]\n1,1,5,188,3712\n1,2,7,,\n1,3,9,,\n2,1,6,134,3314\n2,2,8,,\n2,3,10,,\n";
+
+/// What a row has once is read from any line of the row, and asked once.
+#[test]
+fn cells_belong_to_a_place_and_not_to_a_line() {
+    let summary = |answers: &str| {
+        let said = graded(CYCLE, answers, &[]);
+        (said.stdout.lines().next().unwrap_or_default().to_owned(), said.stdout + &said.stderr)
+    };
+    for answers in [
+        "row,pose,M [N*m],J [kg*m^2],W [J]\n1,1,5,188,3712\n1,2,7,,\n1,3,9,,\n",
+        // in the line of another position, in several, in a line without a position
+        "row,pose,M [N*m],J [kg*m^2],W [J]\n1,1,5,,\n1,2,7,188,\n1,3,9,,3712\n",
+        "row,pose,M [N*m],J [kg*m^2],W [J]\n1,1,5,188,3712\n1,2,7,188,3712\n1,3,9,188,3712\n",
+        "row,pose,M [N*m],J [kg*m^2],W [J]\n1,,,188,3712\n1,3,9,,\n1,2,7,,\n1,1,5,,\n",
+    ] {
+        let (first, all) = summary(answers);
+        assert!(first.starts_with("5 of 10 right"), "{answers}{all}");
+    }
+    let student = |answers: &str, more: &[&str]| graded(CYCLE, answers, more).stdout;
+    let all = student("student,row,J [kg*m^2]\nA,1,188\nA,1,180\nA,1,150\n", &["--submissions", "best"]);
+    assert!(all.starts_with("1 of 5 right"), "{all}");
+    let all = student("student,row,J [kg*m^2]\nA,1,188\nA,1,150\n", &[]);
+    assert!(all.starts_with("0 of 5 right"), "{all}");
+    let (first, all) = summary("row,M [N*m],J [kg*m^2]\n1,5,188\n2,,134\n");
+    assert!(first.starts_with("2 of 10 right"), "{all}");
+    assert!(all.contains("line 2: `M` has 3 positions") && all.contains("add a column `pose`"), "{all}");
+    let (_, all) = summary("row,pose,J [kg*m^2]\n1,1,188\n1,2,150\n");
+    assert!(all.contains("line 3: `J` is answered otherwise in line 2"), "{all}");
+}
+
+#[test]
+fn one_question_needs_no_name() {
+    let key = "row,pose,n [rpm]\n1,1,120\n2,1,150\n";
+    for answers in ["row,n\n1,120\n2,150\n", "row,answer\n1,120\n2,150\n", "row;Antwort\n1;120,5\n2;149,5\n"]
+    {
+        let said = graded(key, answers, &[]);
+        assert!(said.stdout.starts_with("2 of 2 right"), "{answers}{}{}", said.stdout, said.stderr);
+    }
+    let said = graded(key, "row,note,answer\n1,120,120\n", &["--only-answered"]);
+    assert!(said.stdout.starts_with("1 of 1 right"), "{}{}", said.stdout, said.stderr);
+}
+
+#[test]
+fn answers_are_read_as_spreadsheets_write_them() {
+    let key = "row,Mb [N*m],\"reaction(B, rod).x [N]\"\n1,3.71,-500\n2,4,-600\n";
+    for answers in [
+        "row,Mb [N*m]\n1,\"3,71\"\n2,4\n",
+        "row;Mb [N*m]\r\n1;3,71\r\n2;4,0\r\n",
+        "row\tMb [N*m]\n1\t3,71\n2\t4\n",
+        "row;\"Mb\n[N*m]\"\n1;3,71\n2;4\n",
+        "\"the row\n(1, 2; 3)\";row;Mb [N*m]\n;1;3,71\n;2;4\n",
+    ] {
+        let said = graded(key, answers, &["--only-answered"]);
+        assert!(said.stdout.starts_with("2 of 2 right"), "{answers}{}{}", said.stdout, said.stderr);
+    }
+    let said = graded(key, "student,row,Mb [N*m]\n\"Berg,\nAnna\",1,3.71\nBo,2,4\n", &["--only-answered"]);
+    assert!(said.stdout.starts_with("2 of 2 right") && said.stdout.contains("Berg, Anna"), "{}", said.stdout);
+    // a quote too much spoils its own line
+    let said = graded(key, "student,row,Mb [N*m]\nA,\"1,3.71\nB,2,4\nC,1,3.71\n", &["--only-answered"]);
+    assert!(said.stdout.starts_with("2 of 2 right"), "{}{}", said.stdout, said.stderr);
+    assert!(said.stderr.contains("line 2"), "{}", said.stderr);
+}

@@ -22,6 +22,9 @@ pub struct Course {
     /// In Moodle: write a numerical question with units for every answer, in place of one question with gaps
     #[arg(long)]
     pub one_per_answer: bool,
+    /// With --one-per-answer: the part of the mark that a missing or wrong unit costs, from 0 to 1 [default: 1]
+    #[arg(long, value_name = "PART", value_parser = unit_penalty, requires = "one_per_answer")]
+    pub unit_penalty: Option<f64>,
     /// Category of the questions; each problem has its own below it [default: the folder's name]
     #[arg(long, value_name = "NAME")]
     pub category: Option<String>,
@@ -105,4 +108,10 @@ fn steps(text: &str) -> Result<Steps, String> {
         "none" => Ok(Steps::None),
         list => list.split(',').map(part).collect::<Result<_, _>>().map(Steps::Parts),
     }
+}
+
+/// The part of a mark that a unit costs.
+fn unit_penalty(text: &str) -> Result<f64, String> {
+    let part = text.parse().ok().filter(|part| (0.0..=1.0).contains(part));
+    part.ok_or_else(|| "write a part from 0 to 1, as in 0.5".to_owned())
 }

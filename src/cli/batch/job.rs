@@ -18,6 +18,7 @@ use super::rows::{Chunk, Rows};
 use crate::exercise::table::{Fault, Lines, Table};
 use crate::front::{RowLayout, digits_count};
 use crate::pipeline::{Compiled, VariantSolver};
+use crate::report::csv::LINE_END;
 use crate::report::rows::AnswerColumns;
 use assur_check as check;
 use assur_check::{ColumnUse, Overrides, RowColumn};
@@ -50,6 +51,8 @@ pub struct Job {
     answered: bool,
     /// What lines of its rows leave out.
     pub left_out: Option<CliError>,
+    /// The cells of a key that say of which angles whole turns count.
+    turns: Option<String>,
     /// The digits of numbers count.
     pub(super) digits: bool,
 }
@@ -126,9 +129,20 @@ impl Job {
         };
         let columns = Arc::from(columns);
         let (layout, answered, digits) = (RowLayout::default(), false, digits_count(&document));
-        let left_out = None;
-        let mut job =
-            Self { source, document, overrides, within, rows, columns, layout, answered, left_out, digits };
+        let (left_out, turns) = (None, None);
+        let mut job = Self {
+            source,
+            document,
+            overrides,
+            within,
+            rows,
+            columns,
+            layout,
+            answered,
+            left_out,
+            turns,
+            digits,
+        };
         let (has_rows, first) = job.first_row()?;
         if !has_rows && let Some(fault) = job.without_rows()? {
             tell_fault(fault, screen);
@@ -137,6 +151,7 @@ impl Job {
         if let Some(compiled) = first {
             (job.layout, job.answered) = (RowLayout::of(&compiled, false), true);
             job.left_out = CliError::left_out(&compiled.mechanism);
+            job.turns = job.layout.answers.counted_turns(&compiled.mechanism);
         }
         Ok(Ok(job))
     }
@@ -184,6 +199,12 @@ impl Job {
             headers.push(ERROR.to_owned());
         }
         headers
+    }
+
+    /// The line of a key that says of which angles whole turns count; none where of none.
+    pub fn turns(&self) -> Option<String> {
+        let label = if self.label().is_some() { "," } else { "" };
+        self.turns.as_ref().map(|cells| format!("turns,{label}{cells}{LINE_END}"))
     }
 
     /// The columns of the table that are shown next to the answers.

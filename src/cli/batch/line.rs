@@ -235,6 +235,8 @@ impl Line<'_> {
             }
             if let (Some(columns), Some(answers), Some(whole)) = (self.columns, answers, &whole) {
                 cells.clear();
+                // a key asks what needs no pose once
+                let whole = if self.key && poses > 1 { &[] } else { whole.as_slice() };
                 columns.write_beside(answers, pose, whole, (self.digits, self.key, greatest.as_ref()), cells);
                 out.push_str(std::str::from_utf8(cells).unwrap_or_default());
             }

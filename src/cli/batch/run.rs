@@ -42,6 +42,10 @@ impl<'r> Run<'r> {
         let places = self.layout.places(self.job);
         let key_places = self.key.and_then(|key| key.places(self.job));
         let name = &self.job.source.name;
+        if let (Some(sink), Some(key), Some(turns)) = (key_out.as_mut(), self.key, self.job.turns()) {
+            let placed = key_places.as_ref().map(|places| key.placed(&turns, places, name));
+            sink.write(placed.as_ref().unwrap_or(&turns))?;
+        }
         let (first, fixed) = self.chunk_sizes();
         self.job.each_chunk(first, fixed, &mut |chunk, total| {
             let progress = progress.get_or_insert_with(|| Progress::new(name, total));

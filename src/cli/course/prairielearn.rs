@@ -23,6 +23,9 @@ pub fn checked(args: &Course) -> Result<(), CliError> {
     if args.one_per_answer {
         return Err(CliError::NotOfPlatform { option: "--one-per-answer" });
     }
+    if args.unit_penalty.is_some() {
+        return Err(CliError::NotOfPlatform { option: "--unit-penalty" });
+    }
     match args.out.as_deref() {
         None | Some("-") => Err(CliError::NoQuestionFolder),
         Some(_) => Ok(()),

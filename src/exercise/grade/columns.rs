@@ -4,7 +4,7 @@ use super::sheet::{NAMES, Quantity, Sheet};
 use crate::exercise::table::{Columns, TableError};
 use assur_syntax::document::Column;
 use assur_text::diagnostic::did_you_mean;
-use assur_text::source::{Source, Span};
+use assur_text::source::{Source, Span, Spanned};
 use assur_text::units::{Dimension, Unit, lookup};
 
 /// Other words for the names of rows.
@@ -30,7 +30,14 @@ pub(super) enum Role {
 
 impl Sheet {
     /// What the columns are. Columns of answers that the key does not have are left out.
-    pub(super) fn roles(&mut self, columns: Columns, key: Option<&Self>) -> Result<Vec<Role>, TableError> {
+    pub(super) fn roles(
+        &mut self,
+        mut columns: Columns,
+        key: Option<&Self>,
+    ) -> Result<Vec<Role>, TableError> {
+        if let Some([only]) = key.map(|key| key.quantities.as_slice()) {
+            of_one_question(&mut columns, only);
+        }
         let is_person = |c: &Column, word: &str| c.unit.is_none() && c.name.node.to_lowercase() == word;
         let named = |word: &&str| columns.iter().flatten().any(|c| is_person(c, word));
         let person = PERSONS.into_iter().find(named);
@@ -126,6 +133,29 @@ impl Sheet {
         }
         self.quantities.push(Quantity { name: name.clone(), unit: unit.clone(), span: again });
         Ok(Role::Quantity(self.quantities.len() - 1, unit))
+    }
+}
+
+/// Where one question is asked, the only column that names no row is for it, or the one called so, in its unit.
+fn of_one_question(columns: &mut Columns, only: &Quantity) {
+    const ANSWER: &str = "answer";
+    let word = |column: &Column| column.name.node.to_lowercase();
+    let names_row = |column: &Column| {
+        let word = word(column);
+        let known = || NAMES.into_iter().chain(PERSONS).chain(ALSO.map(|(other, _)| other));
+        column.unit.is_none() && known().any(|known| known == word)
+    };
+    if columns.iter().flatten().any(|column| column.name.node == only.name && column.unit.is_some()) {
+        return;
+    }
+    let mut others: Vec<&mut Column> = columns.iter_mut().flatten().filter(|c| !names_row(c)).collect();
+    if others.len() > 1 {
+        others.retain(|column| word(column) == ANSWER);
+    }
+    let [column] = others.as_mut_slice() else { return };
+    column.name.node.clone_from(&only.name);
+    if column.unit.is_none() && !only.unit.text.is_empty() {
+        column.unit = Some(Spanned::new(only.unit.text.clone(), column.name.span));
     }
 }
 

@@ -1,6 +1,6 @@
 //! The usual slips: what a wrong answer would be right for.
 
-use assur_text::units::Dimension;
+use assur_text::units::{Dimension, Kind};
 use std::f64::consts::{PI, TAU};
 
 /// What was probably done wrong.
@@ -43,25 +43,51 @@ pub struct Cause {
     words: &'static str,
 }
 
-const fn cause(name: &'static str, words: &'static str) -> Cause {
-    Cause { name, words }
+/// A factor with a name, and the quantities of which it can be meant.
+struct Factor {
+    value: f64,
+    cause: Cause,
+    of: fn(Dimension) -> bool,
 }
 
-/// Factors with a name.
-const FACTORS: [(f64, Cause); 10] = [
-    (1000.0, cause("unit", "a prefix: mm and m, N and kN, g and kg")),
-    (180.0 / PI, cause("unit", "degrees and radians")),
-    (30.0 / PI, cause("unit", "revolutions per minute and radians per second")),
-    (TAU, cause("unit", "revolutions and radians")),
-    (9.81, cause("weight", "the acceleration of free fall: mass and weight")),
-    (60.0, cause("unit", "minutes and seconds")),
-    (10.0, cause("decimal-point", "the decimal point")),
-    (100.0, cause("decimal-point", "the decimal point, or cm and m")),
-    (1.0e6, cause("unit", "two prefixes, or mm² and m²")),
-    (TWICE, cause("half", "")),
+const fn factor(value: f64, name: &'static str, words: &'static str, of: fn(Dimension) -> bool) -> Factor {
+    Factor { value, cause: Cause { name, words }, of }
+}
+
+const FACTORS: [Factor; 12] = [
+    factor(1000.0, "unit", "a prefix: mm and m, N and kN, g and kg", is_prefixed),
+    factor(180.0 / PI, "unit", "degrees and radians", is_of_angle),
+    factor(30.0 / PI, "unit", "revolutions per minute and radians per second", is_rate),
+    factor(TAU, "unit", "revolutions and radians", |d| d == Dimension::ANGLE || is_rate(d)),
+    factor(9.81, "weight", "the acceleration of free fall: mass and weight", is_weighed),
+    factor(60.0, "unit", "minutes and seconds", |d| d.time < 0 && d.mass == 0),
+    factor(10.0, "decimal-point", "the decimal point", |_| true),
+    factor(100.0, "decimal-point", "the decimal point, or cm and m", |d| d.length != 0),
+    factor(100.0, "decimal-point", "the decimal point, or percent", Dimension::is_number),
+    factor(100.0, "decimal-point", "the decimal point", |d| d.length == 0 && !d.is_number()),
+    factor(1.0e6, "unit", "two prefixes, or mm² and m²", is_prefixed),
+    factor(TWICE, "half", "", |_| true),
 ];
 /// This factor has words of its own.
 const TWICE: f64 = 2.0;
+
+const fn is_prefixed(of: Dimension) -> bool {
+    of.mass != 0 || of.length != 0
+}
+
+/// An angle, or one per time, whatever the power.
+fn is_of_angle(of: Dimension) -> bool {
+    of == Dimension::ANGLE || of.time < 0 && !is_prefixed(of) && of.kind != Kind::Plain
+}
+
+/// An angular velocity, or a number of turns per time.
+const fn is_rate(of: Dimension) -> bool {
+    of.time == -1 && !is_prefixed(of)
+}
+
+fn is_weighed(of: Dimension) -> bool {
+    [Dimension::FORCE, Dimension::TORQUE, Dimension::MASS].contains(&of)
+}
 
 /// The short names of all slips.
 pub const SLIPS: [&str; 13] = [
@@ -80,11 +106,13 @@ pub const SLIPS: [&str; 13] = [
     "close",
 ];
 
-/// All factors, with their signs, and their slips.
-pub(super) fn factors() -> impl Iterator<Item = (f64, CommonMistake)> {
-    FACTORS.into_iter().flat_map(|(value, cause)| {
-        let both = [(value, 1.0), (1.0 / value, 1.0), (value, -1.0), (1.0 / value, -1.0)];
-        both.map(|(factor, sign)| (sign * factor, CommonMistake::Factor { factor, cause, sign: sign < 0.0 }))
+/// The factors that can be meant of a quantity, with their signs, and their slips.
+pub(super) fn factors(of: Dimension) -> impl Iterator<Item = (f64, CommonMistake)> {
+    FACTORS.iter().filter(move |factor| (factor.of)(of)).flat_map(|Factor { value, cause, .. }| {
+        let both = [(*value, 1.0), (1.0 / value, 1.0), (*value, -1.0), (1.0 / value, -1.0)];
+        both.map(|(factor, sign)| {
+            (sign * factor, CommonMistake::Factor { factor, cause: *cause, sign: sign < 0.0 })
+        })
     })
 }
 
@@ -110,24 +138,6 @@ impl CommonMistake {
     #[must_use]
     pub const fn has_other_sign(&self) -> bool {
         matches!(self, Self::Factor { sign: true, .. } | Self::OtherQuantity { sign: true, .. })
-    }
-
-    /// Whether it can be meant of a quantity: degrees of angles, weights of masses, prefixes of what has a unit.
-    #[must_use]
-    pub fn fits(&self, dimension: Dimension) -> bool {
-        let Self::Factor { factor, cause, .. } = self else { return true };
-        let large = factor.max(1.0 / factor);
-        let is = |value: f64| (large - value).abs() < 1e-6 * value;
-        let per_time = dimension.time < 0 && dimension.mass == 0;
-        let turning = dimension == Dimension::ANGLE || per_time && dimension.length == 0;
-        match cause.name {
-            "weight" => [Dimension::FORCE, Dimension::TORQUE, Dimension::MASS].contains(&dimension),
-            "unit" if is(60.0) => per_time,
-            "unit" if is(30.0 / PI) => turning && per_time,
-            "unit" if is(180.0 / PI) || is(TAU) => turning,
-            "unit" => !dimension.is_dimensionless(),
-            _ => true,
-        }
     }
 
     /// How common it is: the least number is the commonest. Two slips at once, or two prefixes, are rare.

@@ -4,9 +4,8 @@ use super::common_mistake::CommonMistake;
 use super::mark::{Known, Mark, Verdict};
 use super::rules::Rules;
 use super::sheet::{Entry, Sheet, Unread};
-use crate::exercise::turns::difference;
+use crate::exercise::turns::{self, difference};
 use assur_text::units::Dimension;
-use std::f64::consts::PI;
 
 /// A key below this part of what is next to it is a rounding error of zero.
 const ZERO: f64 = 1e-9;
@@ -31,6 +30,9 @@ struct Found {
 impl Marker<'_> {
     /// The mark of an answer; an entry that is not there is in no column. `None` where there is nothing to mark.
     pub fn mark(&self, quantity: usize, place: usize, entry: Option<&Entry>) -> Option<Mark> {
+        if !self.key.positions.is_asked(self.index, place) {
+            return None;
+        }
         let (found, verdict) = self.verdict(place, entry)?;
         let points = self.rules.points.of(self.key, &self.key.rows[self.index], place);
         let missing = verdict == Verdict::Missing;
@@ -149,8 +151,7 @@ impl Marker<'_> {
         };
         let other = self.partner(place).and_then(|i| self.number(i)).unwrap_or(0.0);
         let own = libm::hypot(key, other);
-        // no direction is further off than half a turn
-        let own = if self.turns(place, key) { own.min(PI) } else { own };
+        let own = turns::scale(self.turns(place, key), own);
         if own > ZERO * greatest() { own } else { greatest() }
     }
 

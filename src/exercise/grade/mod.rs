@@ -5,6 +5,7 @@ mod common_mistake;
 mod graded;
 mod mark;
 mod marker;
+mod places;
 mod regions;
 mod rows;
 mod rules;

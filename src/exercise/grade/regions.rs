@@ -80,7 +80,8 @@ impl<'k> Marker<'k> {
     /// Whether whole turns make no difference to a quantity.
     pub(super) fn turns(&self, place: usize, key: f64) -> bool {
         let unit = &self.key.quantities[place].unit;
-        unit.dimension == Dimension::ANGLE && turns::are_free(key, unit.factor)
+        let is_free = unit.dimension == Dimension::ANGLE && turns::are_free(key, unit.factor);
+        is_free && !self.key.counts_turns(&self.key.rows[self.index], place)
     }
 
     /// Of an angle the opposite sign, the opposite direction and the supplement, each as far as it is the nearest.
@@ -128,7 +129,9 @@ impl<'k> Marker<'k> {
         // whole turns are taken off the key alone: a thousandfold angle would come near anything
         let in_turn = difference(self.turns(place, key), key, 0.0);
         let keys = [Some(key), Some(in_turn).filter(|it| *it != key && *it != 0.0)];
-        let each = keys.into_iter().flatten().flat_map(|key| factors().map(move |(f, slip)| (f * key, slip)));
+        let of = self.dimension(place);
+        let each = keys.into_iter().flatten();
+        let each = each.flat_map(|key| factors(of).map(move |(f, slip)| (f * key, slip)));
         let mut centres: Vec<(f64, CommonMistake)> = each.collect();
         centres.sort_by(|one, two| one.0.total_cmp(&two.0));
         centres.dedup_by(|next, one| (next.0 - one.0).abs() <= SAME * one.0.abs());
@@ -192,7 +195,7 @@ pub struct Piece<'r> {
 }
 
 /// Regions cut against those before them, so that any of them can be left out and no answer gets another name. Those that come again
-/// after every turn are there within a turn of zero; the right answer is there three times.
+/// after every turn are there three times, the right answer about its own digits and slips about zero.
 #[must_use]
 pub fn pieces(regions: &[Region]) -> Vec<Piece<'_>> {
     let plain = regions.iter().filter(|region| !region.turns);
@@ -208,7 +211,7 @@ pub fn pieces(regions: &[Region]) -> Vec<Piece<'_>> {
                 || if slip.is_none() {
                     (middle - region.middle).abs() < 1.5 * TAU
                 } else {
-                    middle.abs() <= TAU
+                    middle.abs() <= 1.5 * TAU
                 };
             if written && slip.is_none() {
                 found.push(Piece { middle, half: region.half, slip });

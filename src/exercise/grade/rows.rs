@@ -18,8 +18,16 @@ pub(super) struct RowRequest<'a> {
     pub person: Option<&'a str>,
 }
 
+/// The line of the key that a line of answers is for.
+#[derive(Clone, Copy)]
+pub(super) struct FoundRow {
+    pub index: usize,
+    /// Nothing says which of the positions of its row it is, and there are several.
+    pub any_position: bool,
+}
+
 /// The row of the key that a row of the answers is for. Names that are alike to the letter go before others.
-pub(super) fn find(key: &Sheet, answers: &Sheet, row: &RowRequest<'_>) -> Result<usize, TableError> {
+pub(super) fn find(key: &Sheet, answers: &Sheet, row: &RowRequest<'_>) -> Result<FoundRow, TableError> {
     if answers.persons && row.person.is_none() {
         let help = "write who answered into every row".to_owned();
         return Err(unknown(row, "nothing says who answered".to_owned(), help));
@@ -37,9 +45,17 @@ pub(super) fn find(key: &Sheet, answers: &Sheet, row: &RowRequest<'_>) -> Result
         all.filter(|(_, k)| own(k) && fits(k)).map(|(i, _)| i).collect()
     };
     let exact = found(|_, a, k| a == k);
-    let found = if exact.is_empty() { found(alike) } else { exact };
+    let mut found = if exact.is_empty() { found(alike) } else { exact };
+    let has_pose = row.names[3].is_some();
+    if has_pose && found.iter().any(|i| key.rows[*i].names.each[3].is_some()) {
+        // the line of what has no position
+        found.retain(|i| key.rows[*i].names.each[3].is_some());
+    }
     match found[..] {
-        [one] => Ok(one),
+        [index] => Ok(FoundRow { index, any_position: false }),
+        [index, ..] if !has_pose && key.positions.are_one_row(&found) => {
+            Ok(FoundRow { index, any_position: true })
+        }
         _ => Err(none_or_several(key, answers, row, found.len())),
     }
 }
@@ -193,7 +209,9 @@ impl Assignment<'_> {
 
     fn points_of(&self, index: usize) -> f64 {
         let row = &self.key.rows[index];
-        let asked = (0..row.entries.len()).filter(|place| row.entries[*place] != super::sheet::Entry::Empty);
+        let asked = (0..row.entries.len()).filter(|place| {
+            row.entries[*place] != super::sheet::Entry::Empty && self.key.positions.is_asked(index, *place)
+        });
         asked.map(|place| self.points.of(self.key, row, place)).sum()
     }
 }

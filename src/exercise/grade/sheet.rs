@@ -1,6 +1,7 @@
 //! Sheets of a key and of answers: quantities by name with their units, rows by number, variant, file and pose.
 
 use super::columns::Role;
+use super::places::{Latest, Placed, Positions};
 use super::rows::{RowRequest, find};
 use super::rules::MOST_POINTS;
 use crate::exercise::table::{
@@ -17,6 +18,9 @@ use unicode_normalization::UnicodeNormalization;
 pub const NAMES: [&str; 4] = ["file", "row", "variant", "pose"];
 /// What a row of points is called, as its row or variant.
 const POINTS: &str = "points";
+/// What a row is called that says of which quantities whole turns count, and what stands there.
+const TURNS: &str = "turns";
+const COUNTED: &str = "counted";
 /// The most lines of each kind of which it is kept why they are not marked; the others are counted.
 const MOST_KEPT: usize = 1000;
 /// Lines read at a time.
@@ -57,6 +61,15 @@ pub(super) struct PointsRow {
     pub points: Vec<f64>,
 }
 
+/// A row of a key that says of which quantities whole turns count.
+#[derive(Clone, Debug)]
+pub(super) struct TurnsRow {
+    /// The problem that it is for; `None` for all.
+    file: Option<String>,
+    /// Per quantity.
+    counted: Vec<bool>,
+}
+
 #[derive(Clone, Debug)]
 pub struct Sheet {
     pub quantities: Vec<Quantity>,
@@ -74,6 +87,10 @@ pub struct Sheet {
     pub(super) more_left_out: usize,
     /// Points, in a key.
     pub(super) points: Vec<PointsRow>,
+    /// Of which quantities whole turns count, in a key.
+    turns: Vec<TurnsRow>,
+    /// Which of its lines are positions of one row, in a key.
+    pub(super) positions: Positions,
 }
 
 impl Sheet {
@@ -92,14 +109,14 @@ impl Sheet {
             Ok(roles) => roles,
             Err(error) => return Ok(Err((sheet.header, Box::new(error)))),
         };
-        let mut lines = Lines::default();
+        let (mut lines, mut latest) = (Lines::default(), Latest::default());
         loop {
             table.lines(CHUNK, &mut lines)?;
             if lines.is_empty() {
                 break;
             }
             for raw in (0..lines.len()).filter_map(|i| lines.get(i)) {
-                match sheet.line(&roles, name, &raw, table.separator, key) {
+                match sheet.line(&roles, name, &raw, table.separator, key.map(|key| (key, &mut latest))) {
                     Ok(()) => {}
                     Err(fault) if key.is_some() => keep(&mut sheet.left_out, fault, &mut sheet.more_left_out),
                     Err(fault) => return Ok(Err(fault)),
@@ -108,6 +125,7 @@ impl Sheet {
         }
         if key.is_none() {
             RowNames::shorten(&mut sheet.rows);
+            sheet.positions = Positions::of(&mut sheet.rows);
         }
         Ok(match table.without_rows() {
             Some(fault) => Err(fault),
@@ -115,7 +133,7 @@ impl Sheet {
         })
     }
 
-    const fn empty(header: Source) -> Self {
+    fn empty(header: Source) -> Self {
         Self {
             quantities: Vec::new(),
             rows: Vec::new(),
@@ -126,6 +144,8 @@ impl Sheet {
             unknown: Vec::new(),
             more_left_out: 0,
             points: Vec::new(),
+            turns: Vec::new(),
+            positions: Positions::default(),
         }
     }
 
@@ -134,13 +154,19 @@ impl Sheet {
         self.quantities.iter().position(|q| q.name == name && dimension.fits(q.unit.dimension))
     }
 
+    /// Whether the key says of a quantity that whole turns count, in a row.
+    pub(super) fn counts_turns(&self, row: &SheetRow, place: usize) -> bool {
+        let is_for = |file: &Option<String>| file.is_none() || *file == row.names.each[0];
+        self.turns.iter().any(|turns| is_for(&turns.file) && turns.counted[place])
+    }
+
     fn line(
         &mut self,
         roles: &[Role],
         name: &str,
         raw: &RawRow<'_>,
         separator: Separator,
-        key: Option<&Self>,
+        key: Option<(&Self, &mut Latest)>,
     ) -> Result<(), Fault> {
         let text = raw.text(name)?;
         let fault = |error| (Source::line(name, text, raw.line), Box::new(error));
@@ -154,9 +180,19 @@ impl Sheet {
                 Role::Quantity(..) | Role::LeftOut => {}
             }
         }
-        if key.is_none() && names[1..3].iter().flatten().any(|name| name.eq_ignore_ascii_case(POINTS)) {
+        let is_called = |word: &str| names[1..3].iter().flatten().any(|n| n.eq_ignore_ascii_case(word));
+        if key.is_some() && is_called(TURNS) {
+            // a key that was filled in
+            return Ok(());
+        }
+        if key.is_none() && is_called(POINTS) {
             let points = self.points_of(roles, (line, text), &found, names[0].take()).map_err(fault)?;
             self.points.push(points);
+            return Ok(());
+        }
+        if key.is_none() && is_called(TURNS) {
+            let turns = self.turns_of(roles, line, &found, names[0].take()).map_err(fault)?;
+            self.turns.push(turns);
             return Ok(());
         }
         let mut entries = vec![Entry::Empty; self.quantities.len()].into_boxed_slice();
@@ -173,21 +209,50 @@ impl Sheet {
             }
         }
         let mut row = SheetRow { line, names: Arc::default(), person, entries, in_key: None };
-        match key.map(|key| {
-            (key, find(key, self, &RowRequest { line, text, names: &names, person: row.person.as_deref() }))
-        }) {
-            None => row.names = RowNames::of(names),
-            Some((key, Ok(found))) => {
-                row.in_key = Some(found);
-                row.names = key.rows[found].names.and(names);
+        let Some((key, latest)) = key else {
+            row.names = RowNames::of(names);
+            self.rows.push(row);
+            return Ok(());
+        };
+        let request = RowRequest { line, text, names: &names, person: row.person.as_deref() };
+        match find(key, self, &request) {
+            Ok(found) => {
+                row.in_key = Some(found.index);
+                row.names = key.rows[found.index].names.and(names);
+                let span = Span::new(0, text.len());
+                let fault = |why, help| fault(TableError::UnknownRow { line, why, help, span });
+                self.put(key, latest, Placed { row, found, fault: &fault });
             }
-            Some((_, Err(error))) => {
+            Err(error) => {
                 row.entries = Box::default();
+                self.rows.push(row);
                 keep(&mut self.unknown, fault(error), &mut self.more_left_out);
             }
         }
-        self.rows.push(row);
         Ok(())
+    }
+
+    fn turns_of(
+        &self,
+        roles: &[Role],
+        line: usize,
+        found: &[Cell<'_>],
+        file: Option<String>,
+    ) -> Result<TurnsRow, TableError> {
+        let mut counted = vec![false; self.quantities.len()];
+        for (role, cell) in roles.iter().zip(found) {
+            let Role::Quantity(i, _) = role else { continue };
+            match &*cell.text {
+                COUNTED => counted[*i] = true,
+                "" => {}
+                other => {
+                    let why = format!("`{other}` says nothing of whole turns");
+                    let help = "write `counted` where whole turns count, else nothing";
+                    return Err(TableError::Line { line, why, help, span: cell.span });
+                }
+            }
+        }
+        Ok(TurnsRow { file, counted })
     }
 
     fn points_of(
@@ -226,7 +291,7 @@ impl Sheet {
 }
 
 /// Keeps a fault, or counts it where there are many.
-fn keep(kept: &mut Vec<Fault>, fault: Fault, more: &mut usize) {
+pub(super) fn keep(kept: &mut Vec<Fault>, fault: Fault, more: &mut usize) {
     if kept.len() < MOST_KEPT { kept.push(fault) } else { *more += 1 }
 }
 
@@ -355,8 +420,9 @@ pub fn cut(text: &str) -> String {
 const LONG: usize = 60;
 
 /// What stands in a cell.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub enum Entry {
+    #[default]
     Empty,
     /// A number, SI.
     Number(f64),

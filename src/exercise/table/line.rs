@@ -1,5 +1,5 @@
-//! A line of comma-separated values, RFC 4180. A cell does not go over the end of its line, so that a quote too much
-//! spoils one line and no more.
+//! A line of comma-separated values, RFC 4180. Lines within quotes are joined before, where the quotes close soon: a quote too
+//! much spoils one line and no more.
 
 use super::{Columns, TableError};
 use assur_syntax::document::{Column, Name};
@@ -128,6 +128,26 @@ fn quoted(line: &str, quote: usize, sign: u8) -> Result<(Cell<'_>, Option<usize>
             Some(_) => Err(Span::new(quote, line.len())),
         };
     }
+}
+
+/// Whether a line ends within the quotes of a cell; without a separator any of them ends a cell.
+pub(super) fn ends_in_quotes(line: &[u8], separator: Option<Separator>) -> bool {
+    let ends_cell = |b: u8| match separator {
+        Some(separator) => b == separator.sign(),
+        None => matches!(b, b',' | b';' | b'\t'),
+    };
+    let (mut begins, mut quoted) = (true, false);
+    for &b in line {
+        match b {
+            // two quotes within quotes close and open them
+            b'"' if quoted => (quoted, begins) = (false, true),
+            b'"' if begins => (quoted, begins) = (true, false),
+            b' ' => {}
+            b if !quoted => begins = ends_cell(b),
+            _ => {}
+        }
+    }
+    quoted
 }
 
 // The first line of a table: names with units.

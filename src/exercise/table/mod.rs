@@ -12,11 +12,15 @@ pub use number::PreciseNumber;
 use assur_check::{ColumnUse, Row, RowCell, RowColumn};
 use assur_syntax::document::{Column, Variants};
 use assur_text::source::{Source, Span};
+use std::collections::VecDeque;
 use std::io::{self, BufRead};
 use std::sync::Arc;
 
 /// More bytes than this are not one line of numbers.
 const LONGEST_LINE: u64 = 1 << 20;
+
+/// The most lines that a cell in quotes goes on for.
+const MOST_JOINED: usize = 8;
 
 /// An error of a table with the line it is about.
 pub type Fault = (Source, Box<TableError>);
@@ -28,7 +32,7 @@ pub struct Table<R> {
     pub columns: Variants,
     /// The separator of cells.
     pub separator: Separator,
-    reader: R,
+    reader: LineReader<R>,
     line: usize,
     rows: usize,
 }
@@ -73,13 +77,14 @@ impl<R: BufRead> Table<R> {
     ///
     /// # Errors
     /// What cannot be read; the inner error is one of the header as a whole.
-    pub fn open_each(name: &str, mut reader: R) -> io::Result<Result<(Self, Columns), Fault>> {
+    pub fn open_each(name: &str, reader: R) -> io::Result<Result<(Self, Columns), Fault>> {
+        let mut reader = LineReader { reader, ahead: VecDeque::new() };
         let mut bytes = Vec::new();
         let mut line = 0;
         while bytes.trim_ascii().is_empty() {
             bytes.clear();
             line += 1;
-            if read_line(&mut reader, &mut bytes)? == 0 {
+            if reader.line(&mut bytes)? == 0 {
                 let error = TableError::Empty { what: "no header", span: None };
                 return Ok(Err((Source::new(name, ""), Box::new(error))));
             }
@@ -87,10 +92,12 @@ impl<R: BufRead> Table<R> {
                 bytes.drain(..3);
             }
         }
+        let more = reader.join(&mut bytes, 0, None)?;
         let text = String::from_utf8_lossy(&bytes).into_owned();
         let header = Source::line(name, text, line);
+        line += more;
         let separator = Separator::of(&header.text);
-        let first = String::from_utf8_lossy(reader.fill_buf()?);
+        let first = String::from_utf8_lossy(reader.next()?);
         let first = first.lines().next().unwrap_or_default();
         let found = line::columns(&header.text, separator, line_text(&bytes))
             .and_then(|found| line::separators(&header.text, separator, first).map_or(Ok(found), Err));
@@ -112,16 +119,18 @@ impl<R: BufRead> Table<R> {
         lines.ends.clear();
         while lines.ends.len() < most {
             let start = lines.bytes.len();
-            if read_line(&mut self.reader, &mut lines.bytes)? == 0 {
+            if self.reader.line(&mut lines.bytes)? == 0 {
                 break;
             }
             self.line += 1;
+            let line = self.line;
+            self.line += self.reader.join(&mut lines.bytes, start, Some(self.separator))?;
             if lines.bytes[start..].iter().all(|b| matches!(b, b' ' | b'\t' | b',' | b';')) {
                 lines.bytes.truncate(start);
                 continue;
             }
             self.rows += 1;
-            lines.ends.push((lines.bytes.len(), self.rows, self.line));
+            lines.ends.push((lines.bytes.len(), self.rows, line));
         }
         Ok(())
     }
@@ -132,6 +141,64 @@ impl<R: BufRead> Table<R> {
         let span = Some(Span::new(0, self.header.text.len()));
         let error = || Box::new(TableError::Empty { what: "no rows", span });
         (self.rows == 0).then(|| (self.header.clone(), error()))
+    }
+}
+
+/// Lines of a text, some of them read ahead.
+struct LineReader<R> {
+    reader: R,
+    ahead: VecDeque<Vec<u8>>,
+}
+
+impl<R: BufRead> LineReader<R> {
+    /// Reads a line without its end; 0 at the end of the text.
+    fn line(&mut self, bytes: &mut Vec<u8>) -> io::Result<usize> {
+        match self.ahead.pop_front() {
+            Some(line) => {
+                bytes.extend_from_slice(&line);
+                Ok(line.len() + 1)
+            }
+            None => read_line(&mut self.reader, bytes),
+        }
+    }
+
+    /// What comes next, as far as it is there.
+    fn next(&mut self) -> io::Result<&[u8]> {
+        match self.ahead.front() {
+            Some(line) => Ok(line),
+            None => self.reader.fill_buf(),
+        }
+    }
+
+    /// Joins a line that ends within quotes with those that follow, by blanks: how many. Where the quotes do not close, they are one
+    /// too many and the line stays as it is.
+    fn join(&mut self, bytes: &mut Vec<u8>, start: usize, separator: Option<Separator>) -> io::Result<usize> {
+        let is_open = |text: &[u8]| text.contains(&b'"') && line::ends_in_quotes(text, separator);
+        if !is_open(&bytes[start..]) {
+            return Ok(0);
+        }
+        let mut joined = bytes[start..].to_vec();
+        let mut taken: Vec<Vec<u8>> = Vec::new();
+        while taken.len() < MOST_JOINED && is_open(&joined) {
+            let mut next = Vec::new();
+            if self.line(&mut next)? == 0 {
+                break;
+            }
+            joined.push(b' ');
+            joined.extend_from_slice(&next);
+            taken.push(next);
+        }
+        let is_read = std::str::from_utf8(&joined)
+            .is_ok_and(|text| cells(text, separator.unwrap_or_else(|| Separator::of(text))).is_ok());
+        if is_read {
+            bytes.truncate(start);
+            bytes.append(&mut joined);
+            return Ok(taken.len());
+        }
+        for line in taken.into_iter().rev() {
+            self.ahead.push_front(line);
+        }
+        Ok(0)
     }
 }
 

@@ -31,7 +31,7 @@ use thiserror::Error;
 
 /// Gaps of one question at the most.
 const MOST_GAPS: usize = 40;
-/// Intervals of a gap at the most, the right ones aside.
+/// Intervals of a gap at the most, the right ones and those with a part of the points aside.
 const MOST_SLIPS: usize = 24;
 /// The pictures of a solution take no more, bytes.
 const MOST_PICTURES: usize = 60_000;
@@ -260,6 +260,9 @@ fn key(answers: &Answers<'_>, poses: &[Option<&Pose>]) -> Result<Sheet, Fault> {
         text.push(',');
         write_text(&header, &mut text);
     }
+    if let Some(cells) = columns.counted_turns(answers.model.mechanism) {
+        text += &format!("\nturns{cells}");
+    }
     for (i, pose) in poses.iter().enumerate() {
         text += &format!("\n{i}");
         match pose {
@@ -274,17 +277,18 @@ fn key(answers: &Answers<'_>, poses: &[Option<&Pose>]) -> Result<Sheet, Fault> {
     Sheet::read("key", text.as_bytes(), None).map_err(unread)?
 }
 
-/// Pieces in the unit of a quantity: the right ones, then the commonest slips that its dimension allows.
+/// Pieces in the unit of a quantity: the right ones, then the slips that have a part of the points, then the commonest others.
 fn intervals(pieces: &[Piece<'_>], of: &Quantity, rules: &Rules, language: Language) -> Vec<Interval> {
-    let fits = |piece: &&Piece<'_>| piece.slip.is_none_or(|slip| slip.fits(of.unit.dimension));
-    let mut kept: Vec<&Piece<'_>> = pieces.iter().filter(fits).collect();
-    kept.sort_by_key(|piece| piece.slip.map(|slip| slip.rank() + 1));
+    let part = |piece: &Piece<'_>| piece.slip.map_or(1.0, |slip| rules.credit.of(slip));
+    let mut kept: Vec<&Piece<'_>> = pieces.iter().collect();
+    kept.sort_by_key(|piece| piece.slip.map(|slip| (part(piece) == 0.0, slip.rank())));
     let right = kept.iter().take_while(|piece| piece.slip.is_none()).count();
+    let earning = kept[right..].iter().take_while(|piece| part(piece) > 0.0).count();
     let interval = |piece: &Piece<'_>| Interval {
         middle: of.unit.from_si(piece.middle),
         half: of.unit.from_si(piece.half),
         words: verdict(language, piece.slip.map(|slip| slip.words()).as_deref()),
-        part: piece.slip.map_or(1.0, |slip| rules.credit.of(slip)),
+        part: part(piece),
     };
-    kept.into_iter().take(right + MOST_SLIPS).map(interval).collect()
+    kept.into_iter().take(right + earning.max(MOST_SLIPS)).map(interval).collect()
 }

@@ -16,8 +16,6 @@ const NAME: usize = 255;
 const ID: usize = 100;
 /// Factors that make points whole.
 const MOST_TIMES: u32 = 100;
-/// The part of the mark that a missing or unknown unit costs.
-const UNIT_PENALTY: &str = "0.5";
 /// The parts of a mark that Moodle reads, in percent.
 const PARTS: [&str; 21] = [
     "100", "90", "83.33333", "80", "75", "70", "66.66667", "60", "50", "40", "33.33333", "30", "25", "20",
@@ -45,6 +43,8 @@ pub struct Moodle<'a> {
     /// The position, where it was chosen.
     pub pose: Option<&'a str>,
     pub one_per_answer: bool,
+    /// The part of the mark that a missing or wrong unit costs: Moodle then compares the number alone.
+    pub unit_penalty: f64,
     pub picture: Picture,
 }
 
@@ -181,8 +181,12 @@ impl Moodle<'_> {
         for gap in &quiz.gaps {
             let how = how_to_answer(quiz.language, !gap.unit.text.is_empty());
             sheet.html = self.html(&asking(quiz, gap), &stem).0 + &format!("<p>{}</p>", escaped(&how));
-            let mut question =
-                self.question("numerical", &numerical(quiz, gap), [&sheet, &solution], Some(gap));
+            let mut question = self.question(
+                "numerical",
+                &numerical(quiz, gap, self.unit_penalty),
+                [&sheet, &solution],
+                Some(gap),
+            );
             if all.iter().any(|other| other.id == question.id) {
                 // names that differ in signs alone
                 let apart = cut_id(&format!("{}-{:08x}", question.id, sum_of(&gap.gap.name)));
@@ -327,7 +331,7 @@ fn asking(quiz: &Quiz, gap: &QuizGap) -> Document {
 }
 
 /// The answers of a number with its units.
-fn numerical(quiz: &Quiz, gap: &QuizGap) -> String {
+fn numerical(quiz: &Quiz, gap: &QuizGap, unit_penalty: f64) -> String {
     let mut out = format!("<defaultgrade>{}</defaultgrade>\n", significant(gap.points, DIGITS));
     for interval in &gap.intervals {
         let part = percent(interval.part).unwrap_or("0");
@@ -352,8 +356,9 @@ fn numerical(quiz: &Quiz, gap: &QuizGap) -> String {
     }
     let _ = write!(
         out,
-        "</units>\n<unitgradingtype>1</unitgradingtype>\n<unitpenalty>{UNIT_PENALTY}</unitpenalty>\n\
-         <showunits>0</showunits>\n<unitsleft>0</unitsleft>\n"
+        "</units>\n<unitgradingtype>1</unitgradingtype>\n<unitpenalty>{}</unitpenalty>\n\
+         <showunits>0</showunits>\n<unitsleft>0</unitsleft>\n",
+        significant(unit_penalty, DIGITS)
     );
     out
 }

@@ -5,10 +5,14 @@ use assur_text::units::{Unit, lookup, significant};
 use assur_worked::Language;
 
 /// Units of several words that people use.
-const COMPOSITE: [&str; 24] = [
-    "N*m", "kN*m", "N*mm", "N*cm", "m/s", "mm/s", "cm/s", "km/h", "m/s^2", "mm/s^2", "cm/s^2", "rad/s",
-    "deg/s", "rad/s^2", "deg/s^2", "kg*m^2", "kg*cm^2", "kg*mm^2", "g*m^2", "m^2", "cm^2", "mm^2", "N/m",
-    "N/mm",
+const COMPOSITE: [&str; 73] = [
+    "N*m", "kN*m", "MN*m", "daN*m", "N*mm", "N*cm", "kN*mm", "kN*cm", "kgf*m", "lbf*ft", "lbf*inch", "m/s",
+    "mm/s", "cm/s", "km/h", "m/min", "ft/s", "inch/s", "m/s^2", "mm/s^2", "cm/s^2", "ft/s^2", "rad/s",
+    "deg/s", "rev/s", "rev/min", "rad/min", "1/s", "rad/s^2", "deg/s^2", "rev/s^2", "1/s^2", "m/s^3",
+    "mm/s^3", "rad/s^3", "kg*m^2", "kg*cm^2", "kg*mm^2", "g*m^2", "g*cm^2", "g*mm^2", "t*m^2", "lb*ft^2",
+    "m^2", "cm^2", "mm^2", "dm^2", "m^3", "dm^3", "cm^3", "mm^3", "N/m", "N/mm", "N/cm", "kN/m", "kN/mm",
+    "lbf/inch", "N*s/m", "N*s/mm", "kg/s", "N*m*s", "N*m/s", "kg/m^3", "g/cm^3", "kg/dm^3", "N/m^3", "N/m^2",
+    "N/cm^2", "N/mm^2", "kN/m^2", "kgf/cm^2", "lbf/ft", "kg*m/s",
 ];
 /// Digits of a multiplier.
 const DIGITS: usize = 12;
