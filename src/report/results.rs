@@ -144,16 +144,17 @@ pub(super) fn full_table(answers: &Answers<'_>) -> Table {
         let values = poses.iter().map(|p| p.drives.get(i).and_then(|d| d.value())).collect();
         add_full(&mut table, &Quantity { name: drive.name.clone(), display, values, missing: NONE });
     }
-    let all = answers.all_quantities(&poses);
-    if poses.is_empty() && !all.is_empty() {
+    for quantity in answers.quantities(&poses) {
+        add_full(&mut table, &quantity);
+    }
+    let whole = answers.quantities_without_pose();
+    if poses.is_empty() && !whole.is_empty() {
         // the one row of a file without poses
         table.rows.push(vec![String::new(); table.columns.len()]);
     }
-    for mut quantity in all {
-        if quantity.values.len() != poses.len() {
-            let value = quantity.values.first().copied().flatten();
-            quantity.values = vec![value; table.rows.len()];
-        }
+    for mut quantity in whole {
+        let value = quantity.values.first().copied().flatten();
+        quantity.values = vec![value; table.rows.len()];
         add_full(&mut table, &quantity);
     }
     if answers.wants_reactions() {
