@@ -75,6 +75,7 @@ impl Equations<'_, '_> {
     pub fn choose_slips(&mut self, t: f64, y: &mut [f64]) -> Result<(), Halt> {
         let Some(mut slipping) = self.slipping.take() else { return Ok(()) };
         let found = self.choose_slips_of(&mut slipping, t, y);
+        slipping.passes = false;
         self.slipping = Some(slipping);
         self.forget();
         found
@@ -87,6 +88,8 @@ impl Equations<'_, '_> {
         if count > AGAIN {
             return Err(Halt::Jam);
         }
+        let came = y.to_vec();
+        let stopped = self.stop_in_plane(slipping, (t, y));
         let (later, state) = self.shortly(slipping, (t, y), count);
         self.set_position(later, &state);
         if !slipping.turning.is_empty() && !slipping.undetermined {
@@ -109,6 +112,14 @@ impl Equations<'_, '_> {
         self.take_driven(slipping, (t, y), &mut open);
         (slipping.rests, slipping.undetermined) = (false, false);
         match self.find_way(slipping, (later, &state), (&open, &stops)) {
+            Err(Halt::Jam) if !stopped.is_empty() => {
+                // as at a cusp of its path a point goes on by its velocity, however small that is
+                y.copy_from_slice(&came);
+                slipping.let_points_pass(&stopped);
+                let chosen = self.choose_slips_of(slipping, t, y);
+                slipping.passes = false;
+                return chosen;
+            }
             Err(Halt::Jam) if self.stop_sliding(slipping, (t, y))? => {
                 return self.choose_slips_of(slipping, t, y);
             }
@@ -141,7 +152,7 @@ impl Equations<'_, '_> {
         kept
     }
 
-    fn find_slopes_at(&mut self, slipping: &mut Slipping, (t, y): (f64, &[f64])) {
+    pub fn find_slopes_at(&mut self, slipping: &mut Slipping, (t, y): (f64, &[f64])) {
         self.set_position(t, y);
         self.reduced.run_motion(self.model.plan, &mut self.trial);
         self.find_slopes(slipping);
@@ -206,7 +217,7 @@ impl Equations<'_, '_> {
     fn may_rest(&self, slipping: &Slipping, element: usize, speeds: &[f64]) -> bool {
         match DissipativeElement::of(self.model.plan, element) {
             DissipativeElement::Load(load) if rows(self.model.plan, element).is_some() => {
-                self.is_slow(slipping, load)
+                !slipping.passes && self.is_slow(slipping, load)
             }
             _ => {
                 let turns = slipping.turning.iter().any(|(_, turns)| *turns == element);
@@ -359,6 +370,12 @@ impl Equations<'_, '_> {
         if !self.is_stable(slipping)? {
             return Ok(Judged::Jams);
         }
+        for &element in open {
+            match self.turn_along(slipping, element) {
+                Err(Halt::Jam) => return Ok(Judged::Jams),
+                other => other?,
+            }
+        }
         let mut most = (0.0, None);
         for &element in &slipping.held {
             if !DissipativeElement::of(plan, element).can_hold() {
@@ -487,7 +504,7 @@ impl Equations<'_, '_> {
     }
 
     /// Takes what is left of the speeds of the elements that are held from the rates, by impulses of what holds them.
-    fn stop_held(&mut self, slipping: &Slipping, y: &mut [f64]) -> Result<(), Halt> {
+    pub fn stop_held(&mut self, slipping: &Slipping, y: &mut [f64]) -> Result<(), Halt> {
         let (n, held) = (self.order(), slipping.held.len());
         let count = held + self.closed.len();
         if slipping.rests {

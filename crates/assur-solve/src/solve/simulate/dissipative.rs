@@ -66,7 +66,15 @@ impl<'p> DissipativeElement<'p> {
         }
     }
 
-    /// Its speed where one free coordinate has the rate 1: what is held keeps this one.
+    /// Its speed along the row by which an effort holds it: that of a point in the plane has a sign.
+    pub fn row_speed(self, state: &State) -> f64 {
+        match self {
+            Self::Load(Opposing { point: Some((_, Path::Plane(_))), .. }) => self.unit_speed(state),
+            other => other.speed(state),
+        }
+    }
+
+    /// Its speed where one free coordinate has the rate 1.
     pub fn unit_speed(self, state: &State) -> f64 {
         match self {
             Self::Load(Opposing { body, point: Some((at, Path::Curve(_))), .. }) => {

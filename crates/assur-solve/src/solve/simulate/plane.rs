@@ -7,14 +7,21 @@ use super::sliding_sense::Slipping;
 use crate::math::Vec2;
 use crate::plan::{Opposing, Path, Plan};
 use crate::position::State;
+use crate::solve::failure::Halt;
 
 /// A speed below this part of the greatest so far is none: a point that comes to rest turns ever faster before.
 const NONE: f64 = 1e-8;
 /// What begins to slide keeps its direction up to the speed that its friction gives it in this part of a run: before, its direction is
 /// stiff beyond all measure.
 const BEGIN: f64 = 1e-8;
+/// What is left of a velocity that was taken away, of the greatest speed so far.
+const ROUNDING: f64 = 1e-11;
 /// A speed that is none, m/s, where nothing presses.
 const LEAST: f64 = 1e-100;
+/// Where a point comes to rest the rates change by less than this part of the greatest so far.
+const LITTLE: f64 = 1e-6;
+/// So often at most a direction is turned to the acceleration.
+const TURNS: usize = 8;
 /// Halvings of the range of a factor.
 const HALVINGS: usize = 80;
 
@@ -35,6 +42,16 @@ fn velocity(state: &State, load: &Opposing) -> Vec2 {
     load.point.map_or(Vec2::zero(), |(at, _)| state.motion.bodies[load.body].velocity(at))
 }
 
+impl Slipping {
+    /// Lets points in the plane go on by their velocities.
+    pub fn let_points_pass(&mut self, elements: &[usize]) {
+        self.passes = true;
+        for &element in elements {
+            (self.senses[element], self.along[element]) = (1.0, Vec2::zero());
+        }
+    }
+}
+
 impl Equations<'_, '_> {
     /// Whether a point is so slow, in the state that was moved last, that it may be held.
     pub fn is_slow(&self, slipping: &Slipping, load: &Opposing) -> bool {
@@ -45,7 +62,7 @@ impl Equations<'_, '_> {
     pub fn plane_room(&self, slipping: &Slipping, element: usize, load: &Opposing) -> f64 {
         let before = velocity(&self.accepted.1, load);
         let slow = before.norm() <= NONE * slipping.fastest * self.extent();
-        let begun = if slow { slipping.along[element].unit() } else { before.unit() };
+        let begun = slipping.along[element].unit().filter(|_| slow).or_else(|| before.unit());
         velocity(&self.trial, load).dot(begun.unwrap_or_default()) / self.extent()
     }
 
@@ -67,6 +84,44 @@ impl Equations<'_, '_> {
                 slipping.along[element] = Vec2::zero();
             }
         }
+    }
+
+    /// Takes from the rates what is left of the velocities of points that slide and are as good as at rest: in which direction they go
+    /// on does not depend on it. Returns their elements.
+    pub fn stop_in_plane(&mut self, slipping: &mut Slipping, (t, y): (f64, &mut [f64])) -> Vec<usize> {
+        let plan = self.model.plan;
+        if !slipping.begun || slipping.passes || plan.opposing.is_empty() {
+            return Vec::new();
+        }
+        self.set_position(t, y);
+        self.reduced.run_motion(plan, &mut self.trial);
+        let slow = |(element, load): (usize, &Opposing)| {
+            let slides = rows(plan, element).is_some() && slipping.senses[element] != 0.0;
+            (slides && self.is_slow(slipping, load)).then_some(element)
+        };
+        let loads = (DissipativeElement::inner(plan)..).zip(&plan.opposing);
+        let all: Vec<usize> = loads.filter_map(slow).collect();
+        if all.is_empty() {
+            return all;
+        }
+        let mut basis = self.basis(&[]);
+        let mut slow = all.clone();
+        slow.retain(|&element| self.is_independent(element, &mut basis));
+        let held = std::mem::replace(&mut slipping.held, slow);
+        let rests = std::mem::replace(&mut slipping.rests, false);
+        self.find_slopes_at(slipping, (t, y));
+        let (n, came) = (self.order(), y.to_vec());
+        let stopped = self.stop_held(slipping, y).is_ok();
+        (slipping.held, slipping.rests) = (held, rests);
+        let most = LITTLE * slipping.fastest * self.extent().max(1.0);
+        let little = |(now, before): (&f64, &f64)| (now - before).abs() <= most;
+        if stopped && y[n..2 * n].iter().zip(&came[n..2 * n]).all(little) {
+            return all;
+        }
+        // next to a singular position it rests for an instant alone, while the links move
+        y.copy_from_slice(&came);
+        slipping.let_points_pass(&all);
+        Vec::new()
     }
 
     /// Finds in which direction a point begins to slide that a force can no longer hold, where everything was evaluated.
@@ -102,8 +157,32 @@ impl Equations<'_, '_> {
             }
             _ => direction,
         };
-        let along = along * speed.max(LEAST);
+        // next to a singular position the mass has no digits
+        let along = if along.dot(along).is_finite() { along } else { direction };
+        let least = (ROUNDING * slipping.fastest * self.extent()).max(LEAST);
+        let along = along * if speed.is_finite() { speed.max(least) } else { least };
         (slipping.along[x], slipping.along[y]) = (along, along);
+    }
+
+    /// Turns the direction in which a point begins to slide to its acceleration, where that goes back: next to a singular position, or
+    /// where others hold it in part, what would hold it does not tell the direction.
+    ///
+    /// # Errors
+    /// There are no accelerations.
+    pub fn turn_along(&mut self, slipping: &mut Slipping, element: usize) -> Result<(), Halt> {
+        let plan = self.model.plan;
+        let Some([x, y]) = rows(plan, element).filter(|[x, _]| *x == element) else { return Ok(()) };
+        for _ in 0..TURNS {
+            let [a_x, a_y] = [x, y].map(|row| DissipativeElement::of(plan, row).acceleration(&self.trial));
+            let (a, along) = (Vec2::new(a_x, a_y), slipping.along[x]);
+            let Some(direction) = a.unit().filter(|_| slipping.senses[x] != 0.0 && a.dot(along) < 0.0) else {
+                break;
+            };
+            let along = direction * along.norm();
+            (slipping.along[x], slipping.along[y]) = (along, along);
+            self.slipping_accelerations(slipping)?;
+        }
+        Ok(())
     }
 
     /// The mass of a point at which two efforts hold, where all others hold too: a block of the inverse of their matrix.

@@ -22,6 +22,8 @@ pub(super) struct Slipping {
     pub before: Vec<bool>,
     /// Of points in the plane, by element: the velocity up to which they keep the direction in which they begin to slide, m/s.
     pub along: Vec<Vec2>,
+    /// Points that are as good as at rest go on by their velocities.
+    pub passes: bool,
     /// Efforts that hold, by element.
     pub efforts: Vec<f64>,
     /// Efforts that are given of some that hold beside those.
@@ -91,6 +93,7 @@ impl Slipping {
             driven: vec![false; count],
             before: vec![true; count],
             along: vec![Vec2::zero(); count],
+            passes: false,
             efforts: vec![0.0; count],
             given: Vec::new(),
             at_rest: DissipativeElement::all(model.plan).map(|rubs| greater_at_rest(still, rubs)).collect(),

@@ -99,7 +99,7 @@ impl Equations<'_, '_> {
         let mut impulses = Vec::with_capacity(count);
         for k in 0..count {
             impulses.push(match k.checked_sub(held) {
-                None => DissipativeElement::of(self.model.plan, slipping.held[k]).speed(&self.trial),
+                None => DissipativeElement::of(self.model.plan, slipping.held[k]).row_speed(&self.trial),
                 Some(place) => self.rate(self.closed[place], y).0,
             });
             for (j, column) in columns.iter().enumerate() {
