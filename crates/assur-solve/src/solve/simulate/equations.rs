@@ -295,7 +295,7 @@ impl<'a, 's> Equations<'a, 's> {
                 Halt::Dead { group, condition: condition.abs() }
             }
             (_, Some(halt)) => halt,
-            (_, None) => Halt::NotANumber,
+            (_, None) => Halt::NoStep,
         }
     }
 
