@@ -17,7 +17,7 @@ pub(super) enum Home {
     Nowhere,
     /// In that line of the key.
     One(usize),
-    /// In so many lines of the key.
+    /// The number of lines of the key that have it.
     Each(usize),
 }
 
@@ -86,7 +86,7 @@ fn home(lines: &[SheetRow], of: &[usize], place: usize) -> Home {
 /// The last row of answers of each student for each line of the key, and whether it has only what is read from any line.
 pub(super) type Latest = HashMap<(Option<Arc<str>>, usize), (usize, bool)>;
 
-/// A line of answers with its line of the key, and how it is told why it is not marked.
+/// A line of answers with its line of the key, and the message for one that is not marked.
 pub(super) struct Placed<'a> {
     pub row: SheetRow,
     pub found: FoundRow,

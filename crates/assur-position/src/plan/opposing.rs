@@ -1,5 +1,5 @@
-//! Loads against the motion, of which a run can say whether they hold: torques, and forces at points that keep to a line of their link,
-//! that one free coordinate alone moves, or that move in the plane, with two elements.
+//! Loads against the motion as elements that may hold: torques, and forces at points. A point keeps to a line of its link, is moved by one
+//! free coordinate alone, or moves in the plane, which takes two elements.
 
 use crate::math::Vec2;
 use crate::model::{Drive, LoadId, LoadKind, Mechanism, PairId, Place};

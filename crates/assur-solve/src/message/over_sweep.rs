@@ -136,7 +136,7 @@ fn missing(model: &Model<'_>, name: &str, gap: Option<&TurnGap>) -> (String, Str
     )
 }
 
-/// A range over so many turns, from where the drive begins, in its steps and at its speed.
+/// A range over this number of turns from the first value of the drive, with its steps and its speed.
 fn whole_turns(model: &Model<'_>, drive: Option<&Drive>, number: f64) -> String {
     let [turn, steps] = [360.0, 12.0].map(|x| x * number);
     let plain = format!("0 deg .. {turn} deg in {steps} steps");

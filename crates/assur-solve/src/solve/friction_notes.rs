@@ -13,7 +13,7 @@ const SLIGHT: f64 = 0.05;
 #[derive(Debug, Default)]
 pub(super) struct FrictionNotes {
     locked: Option<Locking>,
-    /// The same of the positions of a sweep since the last one that does not lock, whose power of the ideal efforts comes first, W.
+    /// The ideal power of the last position of a sweep that does not lock, W, and what locks since then.
     passing: (Option<f64>, Option<Locking>),
     /// Results without a value at the first position that has such results, and how many more there are.
     without_effort: Option<(Vec<usize>, PoseRequest, usize)>,
@@ -70,8 +70,8 @@ impl FrictionNotes {
         }
     }
 
-    /// A position does not lock: between it and the last such one the balance may have passed zero, where friction is more than what
-    /// drives, as next to a dead centre. That is no news.
+    /// A position does not lock. If the ideal power changes its sign between this position and the last one that did not lock, the
+    /// positions between are next to a dead centre, which the drive passes: that is not reported.
     fn moves(&mut self, view: &PoseAnswers<'_>, pose: &PoseRequest) {
         if !matches!(pose.origin, PoseOrigin::Sweep(_)) {
             return;

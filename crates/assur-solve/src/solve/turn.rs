@@ -148,7 +148,7 @@ fn assembled(model: &Model<'_>, rates: &Rates, at: f64) -> Result<State, Cause> 
     assemble(model, start)
 }
 
-/// Halvings of the step about the widest gap, after which it is known to more digits than are told.
+/// Halvings of the step around the widest gap: enough for all digits that the message shows.
 const HALVINGS: i32 = 12;
 
 /// Where the first group that stays open over the turn is farthest from closing.

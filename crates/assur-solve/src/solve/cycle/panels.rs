@@ -18,7 +18,7 @@ const VERY_COARSE: f64 = 1e-5;
 const NOISE: f64 = 16.0 * f64::EPSILON;
 const HALVED: u32 = 3;
 const MOST: usize = 2000;
-/// On panels that are narrower than this part of the sweep what is so many times greater than at the start is not bounded.
+/// A number is unbounded if it exceeds its first magnitude `FAR` times on a panel narrower than this part of the sweep.
 const NARROW: f64 = 1e-6;
 const FAR: f64 = 1e3;
 
@@ -83,8 +83,8 @@ impl Piecewise {
     }
 }
 
-/// Numbers over the sweep that are smooth between the breaks. Where the greatest (1) or the least (−1) of a number is sought it may grow
-/// without bound the other way.
+/// Numbers over the sweep that are smooth between the breaks. If the greatest (1) or the least (−1) of a number is sought, it may grow
+/// without bound in the other direction.
 pub(super) fn piecewise(
     sampler: &mut Sampler<'_>,
     statics: &WholeCycle,

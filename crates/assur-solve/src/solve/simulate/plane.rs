@@ -1,5 +1,6 @@
-//! Forces against the motion at points that move in the plane: two elements, of the velocities along x and y, that are held together or
-//! slide together. What slides is pulled against its velocity; what begins to slide, in the direction in which it accelerates.
+//! Forces against the motion at points that move in the plane. Each is two elements, of the velocities along x and y, which are held or
+//! slide together. The force acts against the velocity of a point that slides. A point begins to slide in the direction of its
+//! acceleration.
 
 use super::dissipative::DissipativeElement;
 use super::equations::Equations;
@@ -9,14 +10,14 @@ use crate::plan::{Opposing, Path, Plan};
 use crate::position::State;
 use crate::solve::failure::Halt;
 
-/// A speed below this part of the greatest so far is none: a point that comes to rest turns ever faster before.
+/// A speed below this part of the greatest speed of the run is zero: a point turns ever faster before it comes to rest.
 const NONE: f64 = 1e-8;
-/// What begins to slide keeps its direction up to the speed that its friction gives it in this part of a run: before, its direction is
-/// stiff beyond all measure.
+/// A point that begins to slide keeps its direction up to the speed that its friction gives it in this part of a run: below, the equation
+/// of its direction is too stiff.
 const BEGIN: f64 = 1e-8;
-/// What is left of a velocity that was taken away, of the greatest speed so far.
+/// The rest of a velocity that was removed, over the greatest speed of the run.
 const ROUNDING: f64 = 1e-11;
-/// A speed that is none, m/s, where nothing presses.
+/// The least speed, m/s, that has a direction.
 const LEAST: f64 = 1e-100;
 /// Where a point comes to rest the rates change by less than this part of the greatest so far.
 const LITTLE: f64 = 1e-6;
@@ -86,8 +87,8 @@ impl Equations<'_, '_> {
         }
     }
 
-    /// Takes from the rates what is left of the velocities of points that slide and are as good as at rest: in which direction they go
-    /// on does not depend on it. Returns their elements.
+    /// Removes the rest of the velocity of each point that slides and is slow enough to be at rest, since its next direction does not
+    /// depend on it. Returns their elements.
     pub fn stop_in_plane(&mut self, slipping: &mut Slipping, (t, y): (f64, &mut [f64])) -> Vec<usize> {
         let plan = self.model.plan;
         if !slipping.begun || slipping.passes || plan.opposing.is_empty() {

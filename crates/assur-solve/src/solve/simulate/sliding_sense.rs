@@ -22,7 +22,7 @@ pub(super) struct Slipping {
     pub before: Vec<bool>,
     /// Of points in the plane, by element: the velocity up to which they keep the direction in which they begin to slide, m/s.
     pub along: Vec<Vec2>,
-    /// Points that are as good as at rest go on by their velocities.
+    /// Slow points in the plane slide on by their velocities.
     pub passes: bool,
     /// Efforts that hold, by element.
     pub efforts: Vec<f64>,
