@@ -193,6 +193,21 @@ impl Context<'_> {
         if let Some(text) = bare(x, left, y) {
             return Some(format!("write `{text}` for the first operand"));
         }
+        // `90 deg + 860*time`: the factor lacks the unit
+        let factor = |d: Dimension, expr: &Expr, other: Dimension| {
+            let want = other.over(d);
+            let named = want.name()?;
+            let turns = Some(named) == Dimension::ANGULAR_VELOCITY.name();
+            let units = self.likely_units(if turns { Dimension::ANGULAR_VELOCITY } else { want }, expr);
+            let ExprKind::Chain(first, _) = &expr.kind else { return None };
+            let rest = written(expr)?.strip_prefix(written(first)?.as_str())?.to_owned();
+            let factor = with_unit(first, units.first()?)?;
+            let named = named.split_once(' ').map_or(named, |(_, noun)| noun);
+            Some(format!("write `{factor}{rest}`: the factor needs a unit of {named}"))
+        };
+        if let Some(help) = factor(y, right, x).or_else(|| factor(x, left, y)) {
+            return Some(help);
+        }
         let name = |d: Dimension, expr: &Expr, other: Dimension| match &expr.kind {
             ExprKind::Name(name) if d == Dimension::NUMBER => {
                 let names = self.names_of(other)?;

@@ -87,7 +87,7 @@ fn parts(
             )
             .primary(friction.span, "here")
             .label(parts.span, "it parts")
-            .help("leave one of both out"),
+            .help("leave out `friction`, or leave out `parts`: the motion then ends where the contact opens"),
         );
         return None;
     }

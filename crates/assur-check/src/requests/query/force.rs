@@ -351,7 +351,6 @@ impl Context<'_> {
         None
     }
 
-    /// The drive of what is named.
     /// A drive by its name: its place among the statements, and its first coordinate.
     fn drive(&mut self, names: &[Name]) -> Option<(usize, DriveId)> {
         let written = names.iter().map(|n| n.node.as_str()).collect::<Vec<_>>().join(".");
@@ -362,8 +361,10 @@ impl Context<'_> {
             return Some((i, DriveId::at(i + places)));
         }
         let (first, last) = (names.first()?, names.last()?);
-        if self.names.bad.contains(&first.node) || !self.problems.reported.insert(("drive", written.clone()))
-        {
+        // that it is not declared is one message
+        let known = self.problems.reported.contains(&("thing", first.node.clone()));
+        let bad = known || self.names.bad.contains(&first.node);
+        if bad || !self.problems.reported.insert(("drive", written.clone())) {
             return None;
         }
         let all = drives.iter().map(String::as_str).collect::<Vec<_>>();
