@@ -8,7 +8,7 @@ use assur_formula::{Node, name_node};
 use assur_math::math::{SAME, Vec2};
 use assur_model::model::{
     Axis, BalanceKind, CycleFunction, Expr, Find, FindKind, FlywheelPart, Function, LinkId, Mechanism,
-    PairId, PointRef, Query, SubstitutionPart,
+    PairId, PairKind, PointRef, Query, SubstitutionPart,
 };
 
 /// The questions of a file, one after another.
@@ -143,7 +143,10 @@ impl Asking<'_> {
             Query::Omega(id) => (M::AngularVelocity, vec![link(id)]),
             Query::Alpha(id) => (M::AngularAcceleration, vec![link(id)]),
             Query::AngularJerk(id) => (M::AngularJerk, vec![link(id)]),
-            Query::Displacement(id) => (M::Displacement, vec![pair(id)]),
+            Query::Displacement(id) => {
+                let parts = matches!(m.pair(*id).kind, PairKind::Contact { .. });
+                (if parts { M::Gap } else { M::Displacement }, vec![pair(id)])
+            }
             Query::RelativeVelocity(id) => (M::RelativeVelocity, vec![pair(id)]),
             Query::Sliding(id) => (M::Sliding, vec![pair(id)]),
             Query::RelativeAcceleration(id) => (M::RelativeAcceleration, vec![pair(id)]),
@@ -168,6 +171,8 @@ impl Asking<'_> {
                 };
                 (message, vec![self.letters(&balance.name)])
             }
+            Query::StopsEffort(id) => (M::StopsEffort, vec![pair(id)]),
+            Query::Impulse(id) => (M::Impulse, vec![pair(id)]),
             Query::Effort(id) => (M::DriveEffort, vec![vec![text(&*m.drives.get(id.index())?.name)]]),
             Query::Load(id) => (M::Load, vec![self.letters(m.loads.get(id.index())?.name.as_deref()?)]),
             Query::BalancePower(id) => (M::Power, vec![self.letters(&m.balances.get(id.index())?.name)]),

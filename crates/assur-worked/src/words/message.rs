@@ -103,7 +103,8 @@ messages! {
         Travel Stroke TimeRatio TangentialForce ToothForce Tension TightSide SlackSide DeadPosition Period
         EventTime EventDrive Greatest Least Mean Integral WhereGreatest Work FlywheelInertia Fluctuation RimWidth
         RimHeight RimMass ReducedTorque ReducedInertia ExcessWork StaticMass DynamicMass SecondMass
-        SecondDistance InertiaLeft Jerk AngularJerk RelativeJerk CurvatureRadius CurvatureCentre Axial
+        SecondDistance InertiaLeft Jerk AngularJerk RelativeJerk CurvatureRadius CurvatureCentre Axial StopsEffort
+        Impulse Gap
     }
 }
 
