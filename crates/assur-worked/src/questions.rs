@@ -206,17 +206,7 @@ impl Asking<'_> {
             }
             Query::Work(id) => (M::Work, vec![self.expr(m.works.get(*id)?)?]),
             Query::Flywheel(id, part) => {
-                let message = match part {
-                    FlywheelPart::Inertia => M::FlywheelInertia,
-                    FlywheelPart::Fluctuation => M::Fluctuation,
-                    FlywheelPart::RimWidth => M::RimWidth,
-                    FlywheelPart::RimHeight => M::RimHeight,
-                    FlywheelPart::RimMass => M::RimMass,
-                    FlywheelPart::Torque => M::ReducedTorque,
-                    FlywheelPart::LinksInertia => M::ReducedInertia,
-                    FlywheelPart::Work => M::ExcessWork,
-                };
-                (message, vec![self.letters(&m.flywheels.get(*id)?.name)])
+                (of_flywheel(*part), vec![self.letters(&m.flywheels.get(*id)?.name)])
             }
             Query::StaticSubstitution(id, first, second, part) => {
                 let mass = |at: Vec2| Some((M::StaticMass, vec![link(id), self.at(*id, at)?]));
@@ -287,6 +277,20 @@ fn formula(written: &str, named: Option<&str>) -> String {
 
 fn one_line(words: &str) -> String {
     words.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+fn of_flywheel(part: FlywheelPart) -> QuestionMessage {
+    use QuestionMessage as M;
+    match part {
+        FlywheelPart::Inertia => M::FlywheelInertia,
+        FlywheelPart::Fluctuation => M::Fluctuation,
+        FlywheelPart::RimWidth => M::RimWidth,
+        FlywheelPart::RimHeight => M::RimHeight,
+        FlywheelPart::RimMass => M::RimMass,
+        FlywheelPart::Torque => M::ReducedTorque,
+        FlywheelPart::LinksInertia => M::ReducedInertia,
+        FlywheelPart::Work => M::ExcessWork,
+    }
 }
 
 /// What is asked of a point.
