@@ -224,7 +224,8 @@ fn exercise(
         Err(Refused::Cli(error)) => return Err(Reply::unusable(error, screen)),
     };
     let handout =
-        Handout::new(&source, Arc::clone(&document), overrides, args.language.into(), args.pose.as_deref());
+        Handout::new(&source, Arc::clone(&document), overrides, args.language.into(), args.pose.as_deref())
+            .at(&args.positions);
     let title = Sheets::of_rows(&handout, rows_of(&rows)).title().unwrap_or_else(|| name.clone());
     let digits: String = name.chars().take_while(char::is_ascii_digit).collect();
     let number = if digits.is_empty() || digits.len() > 6 { format!("{number:02}") } else { digits };
@@ -257,7 +258,8 @@ impl<'a> Piece<'a> {
         let Exercise { source, document, .. } = self.exercise;
         let overrides = Overrides { values: args.overrides().values, ..Overrides::none() };
         let pose = args.pose.as_deref();
-        let handout = Handout::new(source, Arc::clone(document), overrides, args.language.into(), pose);
+        let handout = Handout::new(source, Arc::clone(document), overrides, args.language.into(), pose)
+            .at(&args.positions);
         let rows = rows_of(self.rows);
         let options =
             QuizOptions { rules, steps: &args.steps, pictures: Picture::from(args.picture) != Picture::None };

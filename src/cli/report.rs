@@ -83,7 +83,7 @@ fn chapter(args: &Report, inputs: Vec<Result<Input, CliError>>, screen: &Screen)
 fn handout<'a>(args: &'a Report, source: &'a Source) -> (Handout<'a>, Problems) {
     let (read, found) = syntax::parse(source);
     let (read, language) = (Arc::new(read), args.language.into());
-    (Handout::new(source, read, args.overrides(), language, args.pose.as_deref()), found)
+    (Handout::new(source, read, args.overrides(), language, args.pose.as_deref()).at(&args.positions), found)
 }
 
 /// The document of a file, and what is wrong in it.

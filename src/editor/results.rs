@@ -188,11 +188,12 @@ fn series(solved: &Solved) -> IndexMap<String, Series> {
     let answers = solved.answers(PrintedDigits::READABLE);
     let columns = AnswerColumns::of_file(&answers.model);
     let whole = columns.whole(&answers);
-    let rows = answers.poses().map(|pose| columns.values(&answers, pose, &whole)).collect::<Vec<_>>();
+    let rows = answers.poses().map(|pose| columns.values(&answers, Some(pose), &whole)).collect::<Vec<_>>();
+    let none = columns.values(&answers, None, &whole);
     let mut found = IndexMap::new();
     for (index, (name, display)) in columns.names().zip(columns.displays()).enumerate() {
         let of_poses = rows.iter().map(|row| row.get(index).copied().flatten()).collect::<Vec<_>>();
-        let values = if rows.is_empty() { vec![whole.get(index).copied().flatten()] } else { of_poses };
+        let values = if rows.is_empty() { vec![none[index]] } else { of_poses };
         found.insert(name, Series { display: display.clone(), values });
     }
     for (index, quantity) in solved.compiled.mechanism.quantities.iter().enumerate() {

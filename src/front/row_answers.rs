@@ -41,7 +41,7 @@ impl Texts {
     }
 }
 
-/// Answers to rows: one line per position of a row, and one without answers where a row has none.
+/// Answers to rows: the lines of a row are those of what needs no position and of its positions; one has no answers where a row has none.
 #[derive(Clone, Debug, Default)]
 pub struct RowAnswers {
     /// The row of each line, from 0.
@@ -111,25 +111,18 @@ pub(crate) struct Line<'a> {
 }
 
 impl Line<'_> {
-    /// One line per position, as in a table of text.
+    /// One line per place that something is asked for at, as in a table of text.
     pub fn all(&mut self, answers: Option<&Answers<'_>>, error: &str) {
         let Some(answers) = answers else { return self.without_answers(error) };
         let columns = &self.layout.answers;
-        let whole = columns.whole_if_any(answers);
+        let whole = columns.whole(answers);
         let greatest = self.layout.key.then(|| answers.greatest());
         let mut row = std::mem::take(self.numbers);
-        let mut any = false;
-        for pose in answers.asked_for() {
-            any = true;
-            columns.write_row(answers, pose, &whole, greatest.as_ref(), &mut row);
-            let why = pose.outcome.as_ref().err().map(|why| failure(&answers.model, why).to_string());
-            self.push_event(columns.events_at(answers, pose));
-            self.push(&pose.name, &row, why.as_deref().unwrap_or(error));
-        }
-        if !any {
-            columns.write_row_without_pose(answers, &mut row);
-            self.push_event(None);
-            self.push("", &row, error);
+        for line in columns.lines(answers, self.layout.key) {
+            columns.write_row(answers, (line.pose, line.whole(&whole)), greatest.as_ref(), &mut row);
+            let why = columns.failure_of(answers, &line).map(|why| failure(&answers.model, why).to_string());
+            self.push_event(columns.events_of(answers, &line));
+            self.push(line.name(), &row, why.as_deref().unwrap_or(error));
         }
         *self.numbers = row;
     }

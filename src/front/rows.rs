@@ -64,7 +64,7 @@ impl RowLayout {
     /// That of a file that was compiled with one of its rows.
     pub(crate) fn of(compiled: &Compiled, key: bool) -> Self {
         let answers = AnswerColumns::of(&compiled.model());
-        let answers = if key { answers.without_drives() } else { answers };
+        let answers = if key { answers.of_key() } else { answers };
         let field = |f: NumberField| (f.name, WrittenUnit::of(f.display), f.condition);
         let fields = answers.fields(&compiled.mechanism).into_iter().map(field).collect();
         let pose_header = if key { "pose" } else { answers.pose_header() }.to_owned();

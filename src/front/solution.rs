@@ -57,7 +57,9 @@ impl Solution {
         let names: Arc<[String]> = columns.names().collect();
         let whole = columns.whole(&answers);
         let poses = answers.poses().map(|pose| Pose::of(&answers, &columns, &whole, &names, pose)).collect();
-        let of_no_pose = columns.displays().zip(&whole).map(|(display, value)| Answer::of(*value, display));
+        let of_no_pose = columns.values(&answers, None, &whole);
+        let of_no_pose =
+            columns.displays().zip(of_no_pose).map(|(display, value)| Answer::of(value, display));
         Self {
             poses,
             whole: Pose { name: String::new(), names, answers: of_no_pose.collect(), failure: None },
@@ -117,7 +119,7 @@ impl Pose {
         names: &Arc<[String]>,
         pose: &solve::Pose,
     ) -> Self {
-        let values = columns.values(answers, pose, whole);
+        let values = columns.values(answers, Some(pose), whole);
         Self {
             name: pose.name.clone(),
             names: Arc::clone(names),

@@ -37,17 +37,29 @@ pub struct Handout<'a> {
     pub language: Language,
     /// The position that is worked out or drawn; the first one without a name.
     pub pose: Option<&'a str>,
+    /// The positions that answers are asked for at; all where none is named.
+    pub positions: Vec<String>,
 }
 
 impl<'a> Handout<'a> {
     #[must_use]
-    pub const fn new(
+    pub fn new(
         source: &'a Source,
         document: Arc<Document>,
         overrides: Overrides,
         language: Language,
         pose: Option<&'a str>,
     ) -> Self {
-        Self { source, document, overrides, language, pose }
+        let positions = pose.iter().map(ToString::to_string).collect();
+        Self { source, document, overrides, language, pose, positions }
+    }
+
+    /// With answers asked for at these positions, unless there are none.
+    #[must_use]
+    pub fn at(mut self, positions: &'a [String]) -> Self {
+        if let [first, ..] = positions {
+            (self.pose, self.positions) = (Some(first.as_str()), positions.to_vec());
+        }
+        self
     }
 }

@@ -4,12 +4,11 @@ use super::texts::{following, for_all, names_a_column, numbers, used, written_wi
 use super::{Handout, KINDS};
 use crate::pipeline::{self, Compiled, Solved, VariantSolver};
 use crate::report::rows::AnswerColumns;
-use crate::report::{Answers, PrintedDigits};
+use crate::report::{AnswerLine, Answers, PrintedDigits};
 use assur_check::{self as check, ColumnUse, FileRow, Overrides};
 use assur_model::model::{Level, NamedValue, Value};
 use assur_picture::Scene;
 use assur_position::plan::Effects;
-use assur_solve::solve::Pose;
 use assur_syntax::document::{self, Definition, Expr, Statement};
 use assur_text::diagnostic::Problems;
 use assur_text::source::Spanned;
@@ -283,15 +282,17 @@ impl<'a> Sheets<'a> {
         let beside = self.beside(rows);
         let formulas = rows.first().map_or_else(Vec::new, |first| self.formulas(&first.overrides, &beside));
         let others: Vec<Vec<GivenRow>> = beside.into_iter().map(|(_, _, given)| given).collect();
+        let columns = AnswerColumns::of(&answers.model);
+        let lines = columns.lines_at(&answers, true, &self.handout.positions);
         let exercise = Exercise {
             mechanism,
             file: &self.handout.source.name,
             text: &self.handout.source.text,
             scene,
             shown,
-            asked: AnswerColumns::of(&answers.model).asked(&answers, wanted),
+            asked: columns.asked(&answers, AnswerLine { pose: wanted, whole: true }),
             hidden: Self::hidden(asking),
-            positions: self.positions(&answers),
+            positions: lines.filter_map(|line| Some(line.pose?.name.clone())).collect(),
             varied: &varied,
             others: &others,
             formulas: &formulas,
@@ -311,15 +312,6 @@ impl<'a> Sheets<'a> {
         scene.map(Some).map_err(|missing| problems.push(missing))
     }
 
-    /// The positions that answers are wanted at, by name.
-    fn positions(&self, answers: &Answers<'_>) -> Vec<String> {
-        // where an event happens is an answer
-        let events = |pose: &Pose| answers.solution.events_at(answers.model.mechanism, pose);
-        let of_event = |pose: &&Pose| !events(pose).is_empty();
-        let poses = answers.poses().filter(|pose| self.is_wanted(pose) && !of_event(pose));
-        poses.map(|pose| pose.name.clone()).collect()
-    }
-
     /// Expected numbers, SI, each with its unit.
     fn hidden(solved: &Solved) -> Vec<(f64, String)> {
         let numbers = solved.outcomes.iter().flat_map(|outcome| {
@@ -331,10 +323,6 @@ impl<'a> Sheets<'a> {
             numbers.into_iter().map(|x| (x, outcome.display.unit.clone()))
         });
         numbers.collect()
-    }
-
-    fn is_wanted(&self, pose: &Pose) -> bool {
-        self.handout.pose.is_none_or(|name| name == pose.name)
     }
 
     /// The answers of all rows, as `assur batch --key` has them.
@@ -352,12 +340,8 @@ impl<'a> Sheets<'a> {
             self.scene(&solved, problems).ok()?;
             let answers = solved.answers(PrintedDigits::READABLE);
             let columns = AnswerColumns::of(&solved.compiled.model());
-            let poses: Vec<&Pose> = answers.poses().filter(|pose| self.is_wanted(pose)).collect();
-            if poses.is_empty() {
-                lines.push(([row.name(), String::new()], columns.asked(&answers, None)));
-            }
-            for pose in poses {
-                lines.push(([row.name(), pose.name.clone()], columns.asked(&answers, Some(pose))));
+            for line in columns.lines_at(&answers, true, &self.handout.positions) {
+                lines.push(([row.name(), line.name().to_owned()], columns.asked(&answers, line)));
             }
             last = Some(solved);
         }

@@ -59,7 +59,7 @@ impl<'a> Answers<'a> {
     }
 
     /// The same with what says that a motion missed its accuracy.
-    pub fn asked_for(&self) -> impl Iterator<Item = &'a Pose> + use<'a> {
+    pub fn asked_for(&self) -> impl Iterator<Item = &'a Pose> + Clone + use<'a> {
         self.solution.poses.iter().filter(|p| !matches!(p.origin, PoseOrigin::Expected(_)))
     }
 

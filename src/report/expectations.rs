@@ -2,12 +2,9 @@
 
 use super::answers::{Answers, NONE};
 use super::document::{Column, Report, Section, Table};
-use super::rows::{AnswerColumns, ROUNDING};
 use crate::exercise::Outcome;
 use assur_model::model::Value;
-use assur_solve::solve::Pose;
 use assur_text::units::significant;
-use assur_worked::SheetQuestion;
 
 /// A difference that is shown though the key allows it, in parts of the expected value.
 const VISIBLE: f64 = 0.01;
@@ -78,36 +75,4 @@ fn table(failed: &[&Outcome], digits: usize) -> Table {
 
 fn expected_is_truth(outcome: &Outcome) -> bool {
     matches!(outcome.expected, Value::Bool(_))
-}
-
-// What a file asks for with its answers at a position: the columns of an answer key.
-
-impl AnswerColumns {
-    /// The questions with their answers at a pose; those that need none where there is none.
-    #[must_use]
-    pub fn asked(&self, answers: &Answers<'_>, pose: Option<&Pose>) -> Vec<SheetQuestion> {
-        let (whole, greatest) = (self.whole(answers), answers.greatest());
-        let values = match pose {
-            Some(pose) => self.values(answers, pose, &whole),
-            None => whole,
-        };
-        let of = |(answer, value): (&super::rows::Answer, Option<Value>)| {
-            let display = &answer.display;
-            let value = if pose.is_some() { answer.cleared(value, &greatest, ROUNDING) } else { value };
-            let value = value.map(|value| match value {
-                Value::Scalar(x) => Value::Scalar(display.of_si(x)),
-                Value::Vector(v) => Value::Vector(display.of_si_vector(v)),
-                truth @ Value::Bool(_) => truth,
-            });
-            SheetQuestion {
-                name: answer.name.clone(),
-                unit: display.unit.clone(),
-                factor: display.factor,
-                vector: answer.vector,
-                whole: matches!(answer.content, super::rows::Content::Find { poseless: true, .. }),
-                value,
-            }
-        };
-        self.answers.iter().zip(values).skip(self.drives).map(of).collect()
-    }
 }

@@ -93,13 +93,13 @@ impl PoseLines for CsvLines {
             let events = simulation::events_at(answers, pose);
             out.extend_from_slice(field(&events).as_bytes());
         }
-        self.columns.write_beside(answers, pose, &self.whole, (FULL, false, None), out);
+        self.columns.write(answers, (Some(pose), &self.whole), (FULL, false, None), out);
         out.extend_from_slice(LINE_END.as_bytes());
     }
 
     fn add_without_pose(&self, answers: &Answers<'_>, out: &mut Vec<u8>) {
-        let mut line = self.file.clone().unwrap_or_default();
-        self.columns.write_without_pose(answers, FULL, false, &mut line);
-        out.extend_from_slice((line + LINE_END).as_bytes());
+        out.extend_from_slice(self.file.as_deref().unwrap_or_default().as_bytes());
+        self.columns.write(answers, (None, &self.columns.whole(answers)), (FULL, false, None), out);
+        out.extend_from_slice(LINE_END.as_bytes());
     }
 }

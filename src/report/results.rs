@@ -3,16 +3,12 @@
 use super::answers::{Answers, NONE, with_unit};
 use super::columns::{Cell, Quantity};
 use super::document::{Align, Column, Report, Section, Table};
-use super::reactions::{ReactionEntry, reactions};
+use super::rows::AnswerColumns;
 use super::simulation;
 use super::symbols::Symbols;
 use assur_model::model::{Display, Value};
 use assur_solve::message::failure;
 use assur_solve::solve::{MotionScales, Pose};
-use assur_text::units::{Dimension, significant};
-
-/// Digits that remain after the conversion from SI into the author's unit: 30 deg remain 30 deg.
-const FULL: usize = 15;
 
 /// What the tables are of that have numbers of all poses.
 pub const OF_MOTION: &str = "over the whole motion";
@@ -128,82 +124,27 @@ fn of_a_sweep(answers: &Answers<'_>, scale: MotionScales, poses: &[&Pose], quant
     if table.columns.len() > table.keys { table } else { Table::default() }
 }
 
-/// All digits of every number, one row per pose: drives, quantities and, where they are asked for, reactions. What
-/// needs no pose stands in every row; a pose without solution has empty cells.
+/// All digits of every number, one row per pose: drives, and what is asked for in the order of the file. What needs no pose stands in
+/// every row; a pose without solution has empty cells.
 pub(super) fn full_table(answers: &Answers<'_>) -> Table {
-    let poses: Vec<&Pose> = answers.poses().collect();
+    let columns = AnswerColumns::of_file(&answers.model);
+    let events = columns.names_events();
     let mut table = Table::new(vec![Column::words(answers.pose_header())], 1);
-    table.rows = poses.iter().map(|p| vec![p.name.clone()]).collect();
-    if simulation::names_events(answers.model.mechanism) {
-        table.columns.push(Column::words("event"));
-        let events = poses.iter().map(|p| simulation::events_at(answers, p));
-        table.rows.iter_mut().zip(events).for_each(|(row, events)| row.push(events));
-    }
-    for (i, drive) in answers.shown_drives() {
-        let display = answers.model.mechanism.drive_display(drive.target);
-        let values = poses.iter().map(|p| p.drives.get(i).and_then(|d| d.value())).collect();
-        add_full(&mut table, &Quantity { name: drive.name.clone(), display, values, missing: NONE });
-    }
-    for quantity in answers.quantities(&poses) {
-        add_full(&mut table, &quantity);
-    }
-    let whole = answers.quantities_without_pose();
-    if poses.is_empty() && !whole.is_empty() {
-        // the one row of a file without poses
-        table.rows.push(vec![String::new(); table.columns.len()]);
-    }
-    for mut quantity in whole {
-        let value = quantity.values.first().copied().flatten();
-        quantity.values = vec![value; table.rows.len()];
-        add_full(&mut table, &quantity);
-    }
-    if answers.wants_reactions() {
-        reaction_quantities(answers, &poses).iter().for_each(|q| add_full(&mut table, q));
+    table.columns.extend(events.then(|| Column::words("event")));
+    table.columns.extend(columns.headers(false).into_iter().map(Column::numbers));
+    let whole = columns.whole(answers);
+    let poses = answers.poses().map(Some).collect::<Vec<_>>();
+    // the one row of a file without poses
+    let without = [None];
+    for pose in if poses.is_empty() && !whole.is_empty() { &without[..] } else { &poses } {
+        let mut row = vec![pose.map_or_else(String::new, |pose| pose.name.clone())];
+        row.extend(
+            events.then(|| pose.map_or_else(String::new, |pose| simulation::events_at(answers, pose))),
+        );
+        columns.each_value(false, answers, (*pose, &whole), |answer, value| row.extend(answer.cells(value)));
+        table.row(row);
     }
     table
-}
-
-fn add_full(table: &mut Table, quantity: &Quantity) {
-    for part in quantity.parts() {
-        let cells = part.cells.iter().map(|cell| match cell {
-            Cell::Number(x) => significant(*x, FULL),
-            Cell::Bool(truth) => truth.to_string(),
-            Cell::None => String::new(),
-        });
-        table.column(with_unit(&part.name, &quantity.display.unit), cells);
-    }
-}
-
-/// Reactions under the names by which a file asks for them.
-fn reaction_quantities(answers: &Answers<'_>, poses: &[&Pose]) -> Vec<Quantity> {
-    let mechanism = answers.model.mechanism;
-    let entries: Vec<Option<Vec<ReactionEntry>>> =
-        poses.iter().map(|p| Some(reactions(answers, p.outcome.as_ref().ok()?))).collect();
-    let entries: Vec<_> = entries.into_iter().map(|e| e.filter(|e| !e.is_empty())).collect();
-    let Some(pattern) = entries.iter().flatten().next() else { return Vec::new() };
-    let mut quantities = Vec::new();
-    for (i, entry) in pattern.iter().enumerate() {
-        let (pair, on) = (&mechanism.pair(entry.pair).name, &mechanism.link(entry.on).name);
-        let each = |value: &dyn Fn(&ReactionEntry) -> Option<Value>| {
-            entries.iter().map(|e| e.as_ref().and_then(|e| value(&e[i]))).collect::<Vec<_>>()
-        };
-        quantities.push(Quantity {
-            name: format!("reaction({pair}, {on})"),
-            display: mechanism.display_of(Dimension::FORCE),
-            values: each(&|e| e.is_known().then_some(Value::Vector(e.force))),
-            missing: NONE,
-        });
-        let moments = each(&|e| e.moment.map(Value::Scalar));
-        if moments.iter().any(Option::is_some) {
-            quantities.push(Quantity {
-                name: format!("moment({pair}, {on})"),
-                display: mechanism.display_of(Dimension::TORQUE),
-                values: moments,
-                missing: NONE,
-            });
-        }
-    }
-    quantities
 }
 
 /// `crank = 45 deg, c1 = 2.25 m`

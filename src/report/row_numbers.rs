@@ -38,12 +38,13 @@ impl NumberRows {
 
     /// Writes a position, once it has [begun](NumberRows::begin).
     pub fn read(&self, answers: &Answers<'_>, pose: &Pose, row: &mut Vec<f64>) {
-        self.columns.write_row(answers, pose, self.whole.as_deref().unwrap_or_default(), None, row);
+        let whole = self.whole.as_deref().unwrap_or_default();
+        self.columns.write_row(answers, (Some(pose), whole), None, row);
     }
 
     /// Writes what needs no pose, for a file that has none.
     pub fn read_without_pose(&self, answers: &Answers<'_>, row: &mut Vec<f64>) {
-        self.columns.write_row_without_pose(answers, row);
+        self.columns.write_row(answers, (None, &self.columns.whole(answers)), None, row);
     }
 
     /// Whether a column shows the angle of a link or of a hinge, or a quantity does that it may show.
@@ -79,10 +80,10 @@ impl AnswerColumns {
         self
     }
 
-    /// The same without the values of drives.
+    /// Those of a key: what is asked for.
     #[must_use]
-    pub fn without_drives(mut self) -> Self {
-        self.answers.drain(..std::mem::take(&mut self.drives));
+    pub fn of_key(mut self) -> Self {
+        self.answers.retain(|answer| answer.asked);
         self
     }
 
@@ -104,28 +105,20 @@ impl AnswerColumns {
         self.answers.iter().flat_map(field).collect()
     }
 
-    /// The cells of a position: numbers in the units of the columns, 1 and 0 for conditions, NaN where there is no answer. What is
+    /// The cells of a line: numbers in the units of the columns, 1 and 0 for conditions, NaN where there is no answer. What is
     /// rounding against what is `greatest` is 0, if that is given, as in an answer key.
     pub fn write_row(
         &self,
         answers: &Answers<'_>,
-        pose: &Pose,
-        whole: &[Option<Value>],
+        places: (Option<&Pose>, &[Option<Value>]),
         greatest: Option<&MotionScales>,
         out: &mut Vec<f64>,
     ) {
         out.clear();
-        self.each_value(0, answers, pose, whole, |answer, value| {
+        self.each_value(false, answers, places, |answer, value| {
             let value = greatest.map_or(value, |greatest| answer.cleared(value, greatest, ROUNDING));
             answer.push_cells(value, out);
         });
-    }
-
-    /// The cells of a file without positions: what needs none.
-    pub fn write_row_without_pose(&self, answers: &Answers<'_>, out: &mut Vec<f64>) {
-        out.clear();
-        let whole = self.whole(answers);
-        self.answers.iter().zip(whole).for_each(|(answer, value)| answer.push_cells(value, out));
     }
 
     /// Whether a column shows the angle of a link or of a hinge, or a quantity does that it may show.

@@ -1,18 +1,21 @@
-//! Answers of many rows of variants, one line per row and pose: what stands in a column is found once.
+//! What a file asks for, in its order: the columns of tables of answers, of keys, of sheets and of questions in courses. What stands in
+//! a column is found once.
 
 use super::answers::{Answers, pose_header, with_unit};
+use super::columns::EffortEntry;
 use super::csv;
+use super::places::AnswerLine;
 use super::reactions::moment;
 use super::simulation;
 use crate::exercise::turns;
 use assur_math::math::Vec2;
 use assur_model::model::{
-    Bearing, Display, DriveTarget, FindKind, LinkId, Mechanism, PairId, PairKind, Value,
+    Bearing, Display, Drive, DriveTarget, FindKind, LinkId, Mechanism, PairId, PairKind, Value,
 };
 use assur_solve::solve::{
     DriveValue, JointReaction, Model, MotionScales, Pose, PoseAnswers, State, unplaced_reactions,
 };
-use assur_text::units::{Dimension, lookup, push_significant};
+use assur_text::units::{Dimension, lookup, push_significant, significant};
 
 /// Digits that survive the way from SI into the author's unit: 30 deg stay 30 deg.
 pub const FULL: usize = 15;
@@ -39,12 +42,13 @@ pub(super) struct Answer {
     pub content: Content,
     pub vector: bool,
     pub display: Display,
+    /// The file asks for it: it is in keys and on sheets, unlike drives and their own efforts.
+    pub asked: bool,
 }
 
-/// The columns of the answers of a file: drives, quantities, what needs no pose, reactions where they are asked for.
+/// The columns of the answers of a file: drives, what `find` asks for in its order, efforts of drives that no balance replaces.
 #[derive(Clone, Debug, Default)]
 pub struct AnswerColumns {
-    pub(super) drives: usize,
     /// Heads the column of poses, or of instants.
     pose: String,
     /// They are of a motion under loads.
@@ -74,49 +78,59 @@ impl AnswerColumns {
     fn with_moments(model: &Model<'_>, of_transmissions: bool) -> Self {
         let mechanism = model.mechanism;
         let vectors = &mechanism.vector_quantities();
-        let mut answers = Vec::new();
         let driven = mechanism.drives.iter().enumerate().filter(|_| mechanism.simulation.is_none());
-        for (i, drive) in driven {
-            answers.push(Answer {
-                name: drive.name.clone(),
-                content: Content::Drive(i),
-                vector: matches!(drive.target, DriveTarget::Point(..)),
-                display: mechanism.drive_display(drive.target),
-            });
-        }
-        let drives = answers.len();
-        let finds = |without_pose: bool| {
-            mechanism.finds.iter().enumerate().filter_map(move |(index, find)| match &find.kind {
-                FindKind::Value { expr, display, poseless } if *poseless == without_pose => Some(Answer {
+        let of_drive = |(i, drive): (usize, &Drive)| Answer {
+            name: drive.name.clone(),
+            content: Content::Drive(i),
+            vector: matches!(drive.target, DriveTarget::Point(..)),
+            display: mechanism.drive_display(drive.target),
+            asked: false,
+        };
+        let mut answers: Vec<Answer> = driven.map(of_drive).collect();
+        let (all, own) = Self::unasked_efforts(model);
+        for (index, find) in mechanism.finds.iter().enumerate() {
+            match &find.kind {
+                FindKind::Value { expr, display, poseless } => answers.push(Answer {
                     name: find.name.clone(),
                     content: Content::Find { index, poseless: *poseless },
                     vector: mechanism.is_vector(expr, vectors),
                     display: display.clone(),
+                    asked: true,
                 }),
-                _ => None,
-            })
-        };
-        answers.extend(finds(false));
-        let solution = assur_solve::solve::Solution::default();
-        let precision = super::PrintedDigits::READABLE;
-        let blank = Answers { model: *model, solution: &solution, outcomes: &[], reached: None, precision };
-        for (slot, effort) in blank.efforts().into_iter().enumerate() {
-            let wanted = effort.of_drive || blank.wants_reactions();
-            if wanted && !answers[drives..].iter().any(|a| effort.is_named(&a.name)) {
-                let (name, display) = (effort.name, effort.display);
-                answers.push(Answer { name, content: Content::Effort(slot), vector: false, display });
+                FindKind::Reactions => {
+                    answers.extend(all.iter().cloned());
+                    if !model.plan.reactions.is_empty() {
+                        all_reactions(model, of_transmissions, &mut answers);
+                    }
+                }
+                FindKind::Table(_) => {}
             }
         }
-        answers.extend(finds(true));
-        if blank.wants_reactions() && !model.plan.reactions.is_empty() {
-            all_reactions(model, of_transmissions, &mut answers);
-        }
+        answers.extend(own);
         // without transmissions and open bearings nothing is left open
         let open = mechanism.pairs.iter().any(|pair| pair.bearing == Some(Bearing::Open));
         let pose = pose_header(mechanism);
         let events = simulation::names_events(mechanism);
         let moves = mechanism.simulation.is_some();
-        Self { drives, pose, moves, events, answers, placed: !open && model.plan.laws.is_empty() }
+        Self { pose, moves, events, answers, placed: !open && model.plan.laws.is_empty() }
+    }
+
+    /// The efforts that no item of `find` names: those that `find reactions` asks for, and else the drives' own, which nobody asks for.
+    fn unasked_efforts(model: &Model<'_>) -> (Vec<Answer>, Vec<Answer>) {
+        let solution = assur_solve::solve::Solution::default();
+        let precision = super::PrintedDigits::READABLE;
+        let blank = Answers { model: *model, solution: &solution, outcomes: &[], reached: None, precision };
+        let asked = blank.wants_reactions();
+        let is_named =
+            |effort: &EffortEntry| model.mechanism.finds.iter().any(|find| effort.is_named(&find.name));
+        let efforts = blank.efforts().into_iter().enumerate();
+        let wanted = efforts.filter(|(_, effort)| (asked || effort.of_drive) && !is_named(effort));
+        let of = |(slot, effort): (usize, EffortEntry)| {
+            let EffortEntry { name, display, .. } = effort;
+            Answer { name, content: Content::Effort(slot), vector: false, display, asked }
+        };
+        let efforts = wanted.map(of).collect();
+        if asked { (efforts, Vec::new()) } else { (Vec::new(), efforts) }
     }
 
     /// Those of one file alone: without the reactions that depend on a place that the file leaves open.
@@ -149,18 +163,23 @@ impl AnswerColumns {
         self.events
     }
 
-    /// The events that happen at the instant of a pose, where a column says so.
+    /// The events that happen at the instant of a line, where a column says so.
     #[must_use]
-    pub fn events_at(&self, answers: &Answers<'_>, pose: &Pose) -> Option<String> {
-        self.events.then(|| simulation::events_at(answers, pose))
+    pub fn events_of(&self, answers: &Answers<'_>, line: &AnswerLine<'_>) -> Option<String> {
+        let at = |pose| simulation::events_at(answers, pose);
+        self.events.then(|| line.pose.map_or_else(String::new, at))
+    }
+
+    /// The answers of a key, or all.
+    fn shown(&self, key: bool) -> impl Iterator<Item = &Answer> {
+        self.answers.iter().filter(move |answer| answer.asked || !key)
     }
 
     /// The headers: names with units in brackets, `.x` and `.y` for the components of vectors. Without the drives for an
     /// answer key.
     #[must_use]
     pub fn headers(&self, key: bool) -> Vec<String> {
-        let shown = &self.answers[if key { self.drives } else { 0 }..];
-        shown.iter().flat_map(|a| a.columns().map(|name| with_unit(&name, &a.display.unit))).collect()
+        self.shown(key).flat_map(|a| a.columns().map(|name| with_unit(&name, &a.display.unit))).collect()
     }
 
     /// The cells of a key that say of which angles whole turns count, each with a comma before it; `None` where of none.
@@ -172,33 +191,20 @@ impl AnswerColumns {
             let is_angle = lookup(&answer.display.unit).is_ok_and(|unit| unit.dimension == Dimension::ANGLE);
             is_angle && !turns::is_direction(mechanism, expr)
         };
-        let shown = &self.answers[self.drives..];
-        let cells = shown.iter().map(|answer| match (is_counted(answer), answer.vector) {
+        let cells = self.shown(true).map(|answer| match (is_counted(answer), answer.vector) {
             (true, _) => ",counted",
             (false, true) => ",,",
             (false, false) => ",",
         });
-        shown.iter().any(is_counted).then(|| cells.collect())
+        self.shown(true).any(is_counted).then(|| cells.collect())
     }
 
-    /// Writes the answers at a pose, each with a comma before it; empty where there is none.
-    pub fn write(&self, answers: &Answers<'_>, pose: &Pose, digits: usize, key: bool, out: &mut String) {
-        let mut line = Vec::new();
-        let greatest = key.then(|| answers.greatest());
-        self.write_beside(answers, pose, &self.whole(answers), (digits, key, greatest.as_ref()), &mut line);
-        out.push_str(std::str::from_utf8(&line).unwrap_or_default());
-    }
-
-    /// The answers that need no pose where there are any; else nothing, which serves as well.
-    #[must_use]
-    pub fn whole_if_any(&self, answers: &Answers<'_>) -> Vec<Option<Value>> {
-        let any = self.answers.iter().any(|a| matches!(a.content, Content::Find { poseless: true, .. }));
-        if any { self.whole(answers) } else { Vec::new() }
-    }
-
-    /// The answers that need no pose, by column.
+    /// The answers that need no pose, by column; nothing where there is none, which serves as well.
     #[must_use]
     pub fn whole(&self, answers: &Answers<'_>) -> Vec<Option<Value>> {
+        if !self.answers.iter().any(Answer::is_whole) {
+            return Vec::new();
+        }
         let value = |answer: &Answer| match answer.content {
             Content::Find { index, poseless: true } => self.without_pose(answers, index),
             _ => None,
@@ -206,19 +212,17 @@ impl AnswerColumns {
         self.answers.iter().map(value).collect()
     }
 
-    /// As [`AnswerColumns::write`], with what needs no pose known; a text in bytes. A key has no drives. With what its quantities are
-    /// large against what is rounding is 0.
-    pub fn write_beside(
+    /// Writes the answers of a line, each with a comma before it; a text in bytes. What needs no pose is known, and empty where the line
+    /// does not have it. With what its quantities are large against what is rounding is 0.
+    pub fn write(
         &self,
         answers: &Answers<'_>,
-        pose: &Pose,
-        whole: &[Option<Value>],
+        (pose, whole): (Option<&Pose>, &[Option<Value>]),
         (digits, key, greatest): (usize, bool, Option<&MotionScales>),
         out: &mut Vec<u8>,
     ) {
-        let from = if key { self.drives } else { 0 };
         let part = if key { ROUNDING } else { answers.precision.noise };
-        self.each_value(from, answers, pose, whole, |answer, value| {
+        self.each_value(key, answers, (pose, whole), |answer, value| {
             let value = greatest.map_or(value, |greatest| answer.cleared(value, greatest, part));
             answer.write(value, digits, out);
         });
@@ -234,26 +238,30 @@ impl AnswerColumns {
         self.answers.iter().map(|a| &a.display)
     }
 
-    /// The answers at a pose, SI, with what needs no pose known; `None` where one does not exist.
+    /// The answers of a line, SI, with what needs no pose known; `None` where one does not exist.
     #[must_use]
-    pub fn values(&self, answers: &Answers<'_>, pose: &Pose, whole: &[Option<Value>]) -> Vec<Option<Value>> {
+    pub fn values(
+        &self,
+        answers: &Answers<'_>,
+        pose: Option<&Pose>,
+        whole: &[Option<Value>],
+    ) -> Vec<Option<Value>> {
         let mut values = Vec::with_capacity(self.answers.len());
-        self.each_value(0, answers, pose, whole, |_, value| values.push(value));
+        self.each_value(false, answers, (pose, whole), |_, value| values.push(value));
         values
     }
 
     pub(super) fn each_value(
         &self,
-        from: usize,
+        key: bool,
         answers: &Answers<'_>,
-        pose: &Pose,
-        whole: &[Option<Value>],
+        (pose, whole): (Option<&Pose>, &[Option<Value>]),
         mut each: impl FnMut(&Answer, Option<Value>),
     ) {
-        let shown = &self.answers[from..];
-        let solved = pose.outcome.as_ref().ok();
+        let solved = pose.and_then(|pose| pose.outcome.as_ref().ok());
         let view = solved.map(|solved| answers.solution.view(&answers.model, solved));
-        let asked = || shown.iter().any(|a| matches!(a.content, Content::Reaction(..) | Content::Moment(..)));
+        let asked =
+            || self.answers.iter().any(|a| matches!(a.content, Content::Reaction(..) | Content::Moment(..)));
         let unplaced = if !self.placed && asked() { unplaced_reactions(&answers.model) } else { Vec::new() };
         let pressing = |pair: PairId| {
             let known = !answers.model.plan.reactions.is_empty()
@@ -262,9 +270,9 @@ impl AnswerColumns {
             view.as_ref().filter(|_| known)
         };
         let value = |(i, answer): (usize, &Answer)| match &answer.content {
-            Content::Drive(i) => pose.drives.get(*i).and_then(DriveValue::value),
+            Content::Drive(i) => pose.and_then(|pose| pose.drives.get(*i)).and_then(DriveValue::value),
             Content::Find { index, poseless: false } => view.as_ref().and_then(|view| view.found(*index)),
-            Content::Find { poseless: true, .. } => whole.get(from + i).copied().flatten(),
+            Content::Find { poseless: true, .. } => whole.get(i).copied().flatten(),
             Content::Effort(slot) => {
                 view.as_ref().map(|view| view.effort(*slot)).filter(|x| x.is_finite()).map(Value::Scalar)
             }
@@ -281,27 +289,14 @@ impl AnswerColumns {
                 })
                 .map(Value::Scalar),
         };
-        for (i, answer) in shown.iter().enumerate() {
+        for (i, answer) in self.answers.iter().enumerate().filter(|(_, a)| a.asked || !key) {
             each(answer, value((i, answer)));
         }
     }
 
-    /// Writes what needs no pose, for a file that has none.
-    pub fn write_without_pose(&self, answers: &Answers<'_>, digits: usize, key: bool, out: &mut String) {
-        let mut line = Vec::new();
-        for answer in &self.answers[if key { self.drives } else { 0 }..] {
-            let value = match answer.content {
-                Content::Find { index, poseless: true } => self.without_pose(answers, index),
-                _ => None,
-            };
-            answer.write(value, digits, &mut line);
-        }
-        out.push_str(std::str::from_utf8(&line).unwrap_or_default());
-    }
-
     /// Writes no answers: a comma each.
     pub fn write_none(&self, key: bool, out: &mut String) {
-        for answer in &self.answers[if key { self.drives } else { 0 }..] {
+        for answer in self.shown(key) {
             out.push_str(if answer.vector { ",," } else { "," });
         }
     }
@@ -335,17 +330,22 @@ fn all_reactions(model: &Model<'_>, of_transmissions: bool, answers: &mut Vec<An
             let display = mechanism.display_of(Dimension::FORCE);
             let joints = || JointReaction::of(&view, id, on);
             let content = Content::Reaction(id, on, joints());
-            answers.push(Answer { name: name("reaction"), content, vector: true, display });
+            answers.push(Answer { name: name("reaction"), content, vector: true, display, asked: true });
             if couple {
                 let display = mechanism.display_of(Dimension::TORQUE);
                 let content = Content::Moment(id, on, if determined { joints() } else { None });
-                answers.push(Answer { name: name("moment"), content, vector: false, display });
+                answers.push(Answer { name: name("moment"), content, vector: false, display, asked: true });
             }
         }
     }
 }
 
 impl Answer {
+    /// It needs no pose: it is asked for once.
+    pub(super) const fn is_whole(&self) -> bool {
+        matches!(self.content, Content::Find { poseless: true, .. })
+    }
+
     /// The names of its columns: `.x` and `.y` for the components of a vector.
     pub(super) fn columns(&self) -> impl Iterator<Item = String> {
         let parts: &[&str] = if self.vector { &[".x", ".y"] } else { &[""] };
@@ -361,6 +361,18 @@ impl Answer {
             Value::Vector(v) => Value::Vector(Vec2::new(clear(v.x), clear(v.y))),
             truth @ Value::Bool(_) => truth,
         })
+    }
+
+    /// Its cells with all digits; empty where there is no value.
+    pub(super) fn cells(&self, value: Option<Value>) -> Vec<String> {
+        let number =
+            |x: f64| if x.is_finite() { significant(self.display.of_si(x), FULL) } else { String::new() };
+        match (value, self.vector) {
+            (Some(Value::Vector(v)), true) => vec![number(v.x), number(v.y)],
+            (Some(Value::Scalar(x)), false) => vec![number(x)],
+            (Some(Value::Bool(truth)), false) => vec![truth.to_string()],
+            (_, vector) => vec![String::new(); 1 + usize::from(vector)],
+        }
     }
 
     #[inline]

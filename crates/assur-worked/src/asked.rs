@@ -17,7 +17,7 @@ impl Derivation<'_> {
         let mut all = Vec::new();
         for find in &mechanism.finds {
             let FindKind::Value { expr, poseless: false, .. } = &find.kind else { continue };
-            crate::prune::queries(mechanism, expr, &mut |query| all.push(*query));
+            mechanism.each_query(expr, &mut |query| all.push(*query));
         }
         all
     }

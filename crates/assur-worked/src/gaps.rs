@@ -3,7 +3,7 @@
 use crate::course::plain;
 use crate::document::{Block, Document, Line, commas};
 use crate::questions::questions;
-use crate::sheet::{Exercise, document};
+use crate::sheet::{Exercise, SheetQuestion, document};
 use crate::words::{Language, Message, say};
 use crate::worked::without_empty;
 use assur_model::model::Value;
@@ -40,7 +40,7 @@ pub fn gaps(exercise: &Exercise<'_>, language: Language) -> GapSheet {
     blocks.push(heading(Message::Find));
     blocks.push(Block::List(questions(exercise.mechanism, exercise.text, language)));
     let is_verdict = |value: &Option<Value>| matches!(value, Some(Value::Bool(_)));
-    let verdicts = exercise.asked.iter().filter(|a| exercise.is_question(a) && is_verdict(&a.value));
+    let verdicts = exercise.asked.iter().filter(|a| is_verdict(&a.value));
     let mut document = document(exercise, language, without_empty(blocks));
     // one picture needs no number
     document.labels.figure = "";
@@ -49,25 +49,15 @@ pub fn gaps(exercise: &Exercise<'_>, language: Language) -> GapSheet {
 
 /// All gaps, position by position where there are several, then those of no position.
 fn all(exercise: &Exercise<'_>, language: Language) -> Vec<Gap> {
-    let positions = exercise.positions_without();
-    let several = positions.len() > 1;
-    let asked = |whole: bool| {
-        exercise.asked.iter().filter(move |a| exercise.is_question(a) && (!several || a.whole == whole))
-    };
-    let at = |whole: bool, position: Option<&String>| -> Vec<Gap> {
+    let at = |(position, asked): (Option<&String>, Vec<&SheetQuestion>)| -> Vec<Gap> {
         let position = position.map(|name| {
             let words = plain(&say(language, Message::Position, &[]));
             [name.clone(), format!("{words} {name}")]
         });
         let of = |(name, letters, question)| Gap { position: position.clone(), name, letters, question };
-        asked(whole).flat_map(|asked| exercise.letters(asked, language)).map(of).collect()
+        asked.into_iter().flat_map(|asked| exercise.letters(asked, language)).map(of).collect()
     };
-    let mut gaps = Vec::new();
-    if several {
-        gaps.extend(positions.into_iter().flat_map(|name| at(false, Some(name))));
-    }
-    gaps.extend(at(true, None));
-    gaps
+    exercise.places().into_iter().flat_map(at).collect()
 }
 
 /// How a number is typed: with a decimal point, and with its unit where that is asked for.

@@ -6,7 +6,7 @@ use crate::motion::Stage;
 use crate::words::Message;
 use assur_formula::{Equation, Expr, Name, Unit};
 use assur_math::math::Vec2;
-use assur_model::model::{self, FindKind, Mechanism, PointRef, Query};
+use assur_model::model::{FindKind, PointRef, Query};
 use std::collections::BTreeSet;
 
 impl Derivation<'_> {
@@ -60,7 +60,7 @@ impl Derivation<'_> {
         let mut points = Vec::new();
         for find in &mechanism.finds {
             let FindKind::Value { expr, .. } = &find.kind else { continue };
-            queries(mechanism, expr, &mut |query| {
+            mechanism.each_query(expr, &mut |query| {
                 let wanted = match (stage, query) {
                     (Stage::Positions, Query::Position(p))
                     | (Stage::Velocities, Query::Velocity(p))
@@ -115,22 +115,6 @@ impl Derivation<'_> {
             return;
         }
         self.length_of(name, unit, parts);
-    }
-}
-
-/// The questions of an expression, and of the named quantities in it.
-pub fn queries(mechanism: &Mechanism, expr: &model::Expr, see: &mut dyn FnMut(&Query)) {
-    expr.queries(&mut |query| see(query));
-    let mut named = Vec::new();
-    expr.parts(&mut |part| {
-        if let model::Expr::Quantity(id) = part {
-            named.push(*id);
-        }
-    });
-    for id in named {
-        if let Some(quantity) = mechanism.quantities.get(id.index()) {
-            queries(mechanism, &quantity.expr, see);
-        }
     }
 }
 

@@ -58,8 +58,6 @@ pub fn given(scene: Scene<'_>, language: Language) -> Vec<GivenRow> {
 const DIGITS: usize = 4;
 /// Digits of a given value: all that its author writes.
 const GIVEN_DIGITS: usize = 12;
-/// The most positions that a sheet has a line for.
-const MOST_LINES: usize = 37;
 /// Answers next to each other.
 const IN_PART: usize = 6;
 /// A number of a text is an answer where it is as near as this.
@@ -96,7 +94,7 @@ pub struct Exercise<'a> {
     pub hidden: Vec<(f64, String)>,
     /// Numbers that the file gives, SI.
     pub written: &'a [f64],
-    /// The positions that answers are asked at, by name.
+    /// What needs no position is asked for once, everything else at these positions, by name.
     pub positions: Vec<String>,
     /// Values that depend on the variant, and what no solution uses.
     pub varied: &'a dyn Fn(&str) -> bool,
@@ -240,7 +238,7 @@ fn table(headers: Vec<String>, rows: Vec<Vec<String>>) -> Table {
 fn asked_by(mechanism: &Mechanism, find: &Find) -> Option<Vec<Query>> {
     let FindKind::Value { expr, .. } = &find.kind else { return None };
     let mut all = Vec::new();
-    crate::prune::queries(mechanism, expr, &mut |query| all.push(*query));
+    mechanism.each_query(expr, &mut |query| all.push(*query));
     Some(all)
 }
 
@@ -351,11 +349,13 @@ impl Exercise<'_> {
         asked.chain(hidden).any(|answer| is_within(answer, x))
     }
 
-    /// The positions without the end of the period that is asked for.
-    pub(crate) fn positions_without(&self) -> Vec<&String> {
-        let period = asks(self.mechanism, |query| *query == Query::Period);
-        let shown = self.positions.len() - usize::from(period && self.positions.len() > 1);
-        self.positions[..shown].iter().collect()
+    /// What is asked where: at each of several positions, then what needs none; all together where there is one.
+    pub(crate) fn places(&self) -> Vec<(Option<&String>, Vec<&SheetQuestion>)> {
+        let several = self.positions.len() > 1;
+        let asked =
+            |whole: bool| self.asked.iter().filter(|a| !several || a.whole == whole).collect::<Vec<_>>();
+        let at = self.positions.iter().filter(|_| several).map(|name| (Some(name), asked(false)));
+        at.chain([(None, asked(true))]).filter(|(_, asked)| !asked.is_empty()).collect()
     }
 
     /// The given values: those that the solution uses with the names that the file has for them, then those that it names besides.
@@ -454,25 +454,21 @@ impl Exercise<'_> {
 
     /// Cells for the answers, by position where there are several.
     fn answers(&self, language: Language) -> Vec<Block> {
-        let positions = self.positions_without();
-        let several = positions.len() > 1 && positions.len() <= MOST_LINES;
-        let headers = |whole: bool| -> Vec<Line> {
-            let asked = self.asked.iter().filter(|a| self.is_question(a) && (!several || a.whole == whole));
-            asked.flat_map(|asked| self.headers(asked, language)).collect()
+        let headers = |asked: &[&SheetQuestion]| -> Vec<Line> {
+            asked.iter().flat_map(|asked| self.headers(asked, language)).collect()
         };
+        let (at, whole): (Vec<_>, Vec<_>) =
+            self.places().into_iter().partition(|(position, _)| position.is_some());
         let mut blocks = Vec::new();
-        if several {
-            let rows: Vec<Vec<String>> = positions.into_iter().map(|name| vec![name.clone()]).collect();
-            blocks.extend(forms(&[say(language, Message::Position, &[])], &headers(false), &rows));
+        if let Some((_, asked)) = at.first() {
+            let rows: Vec<Vec<String>> =
+                at.iter().map(|(name, _)| name.iter().cloned().cloned().collect()).collect();
+            blocks.extend(forms(&[say(language, Message::Position, &[])], &headers(asked), &rows));
         }
-        blocks.extend(forms(&[], &headers(true), &[Vec::new()]));
+        for (_, asked) in whole {
+            blocks.extend(forms(&[], &headers(&asked), &[Vec::new()]));
+        }
         blocks
-    }
-
-    /// Whether a file asks for an answer, by its name or with all others of its kind.
-    pub(crate) fn is_question(&self, asked: &SheetQuestion) -> bool {
-        let finds = &self.mechanism.finds;
-        finds.iter().any(|find| find.name == asked.name || !matches!(find.kind, FindKind::Value { .. }))
     }
 
     /// The letters of a question with its unit, by component.

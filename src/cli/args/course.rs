@@ -46,6 +46,9 @@ pub struct Course {
     /// Ask at the position of this name [default: all that the sheet asks at]
     #[arg(long, value_name = "NAME")]
     pub pose: Option<String>,
+    /// Ask at the positions of these names alone, e.g. `--positions 1,4,8`
+    #[arg(long, value_name = "NAMES", value_delimiter = ',', conflicts_with = "pose")]
+    pub positions: Vec<String>,
     /// Take the rows of this table of variants in place of the file's own
     #[arg(long, value_name = "TABLE.csv")]
     pub variants: Option<String>,

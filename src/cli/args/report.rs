@@ -22,6 +22,9 @@ pub struct Report {
     /// Work out the pose of this name [default: the first]
     #[arg(long, value_name = "NAME")]
     pub pose: Option<String>,
+    /// With --sheet or --key: ask at the positions of these names alone, e.g. `--positions 1,4,8` [default: all]
+    #[arg(long, value_name = "NAMES", value_delimiter = ',', conflicts_with = "pose")]
+    pub positions: Vec<String>,
     /// Write these parts alone, e.g. `--steps 1,3,6`: 0 problem, 1 structure, 2 positions, 3 velocities, 4 accelerations,
     /// 5 loads and inertia forces, 6 reactions and balance, 7 check, 8 results [default: all]
     #[arg(long, value_name = "PARTS", value_delimiter = ',', value_parser = part)]

@@ -215,48 +215,40 @@ impl Line<'_> {
         }
     }
 
-    /// One line per pose.
+    /// One line per place that something is asked for at.
     fn all(
         &self,
         answers: Option<&Answers<'_>>,
         error: Option<&str>,
         (out, cells): (&mut String, &mut Vec<u8>),
     ) {
-        let whole = self.columns.zip(answers).map(|(columns, answers)| columns.whole_if_any(answers));
-        let greatest = answers.filter(|_| self.key || self.digits < FULL).map(Answers::greatest);
-        let mut poses = 0;
-        for pose in answers.iter().flat_map(|a| a.asked_for()) {
-            poses += 1;
-            self.begin(&pose.name, out);
-            let columns = self.columns.filter(|_| !self.key);
-            if let Some(events) = columns.zip(answers).and_then(|(c, a)| c.events_at(a, pose)) {
-                out.push(',');
-                write_text(&events, out);
+        let Some((columns, answers)) = self.columns.zip(answers) else {
+            self.begin("", out);
+            if let Some(columns) = self.columns {
+                self.event(columns.names_events().then(String::new), out);
+                columns.write_none(self.key, out);
             }
-            if let (Some(columns), Some(answers), Some(whole)) = (self.columns, answers, &whole) {
-                cells.clear();
-                // a key asks what needs no pose once
-                let whole = if self.key && poses > 1 { &[] } else { whole.as_slice() };
-                columns.write_beside(answers, pose, whole, (self.digits, self.key, greatest.as_ref()), cells);
-                out.push_str(std::str::from_utf8(cells).unwrap_or_default());
-            }
-            let own = answers.zip(pose.outcome.as_ref().err());
-            let own = own.map(|(answers, why)| failure(&answers.model, why).to_string());
+            return end(error, out);
+        };
+        let whole = columns.whole(answers);
+        let greatest = (self.key || self.digits < FULL).then(|| answers.greatest());
+        for line in columns.lines(answers, self.key) {
+            self.begin(line.name(), out);
+            self.event(columns.events_of(answers, &line), out);
+            cells.clear();
+            let places = (line.pose, line.whole(&whole));
+            columns.write(answers, places, (self.digits, self.key, greatest.as_ref()), cells);
+            out.push_str(std::str::from_utf8(cells).unwrap_or_default());
+            let own = columns.failure_of(answers, &line).map(|why| failure(&answers.model, why).to_string());
             end(error.map(|e| own.as_deref().unwrap_or(e)), out);
         }
-        if poses == 0 {
-            self.begin("", out);
-            if self.columns.is_some_and(|columns| !self.key && columns.names_events()) {
-                out.push(',');
-            }
-            match (self.columns, answers) {
-                (Some(columns), Some(answers)) => {
-                    columns.write_without_pose(answers, self.digits, self.key, out)
-                }
-                (Some(columns), None) => columns.write_none(self.key, out),
-                (None, _) => {}
-            }
-            end(error, out);
+    }
+
+    /// The cell of events, which a key does not have.
+    fn event(&self, events: Option<String>, out: &mut String) {
+        if let Some(events) = events.filter(|_| !self.key) {
+            out.push(',');
+            write_text(&events, out);
         }
     }
 

@@ -70,7 +70,9 @@ pub enum CourseError {
     #[error("`{file}` asks for {count} numbers in one question, and {MOST_GAPS} are the most")]
     #[diagnostic(
         code(mech::course::too_many_gaps),
-        help("ask at one position by --pose NAME, or leave questions out by --points NAME=0")
+        help(
+            "choose positions by --positions 1,4,8 or --pose NAME, or leave questions out by --points NAME=0"
+        )
     )]
     TooManyGaps { file: String, count: usize },
     #[error("the points {points} are not in the ratio of whole numbers up to 100")]
@@ -263,12 +265,13 @@ fn key(answers: &Answers<'_>, poses: &[Option<&Pose>]) -> Result<Sheet, Fault> {
     if let Some(cells) = columns.counted_turns(answers.model.mechanism) {
         text += &format!("\nturns{cells}");
     }
+    let (whole, greatest) = (columns.whole(answers), answers.greatest());
+    let mut cells = Vec::new();
     for (i, pose) in poses.iter().enumerate() {
         text += &format!("\n{i}");
-        match pose {
-            Some(pose) => columns.write(answers, pose, FULL, true, &mut text),
-            None => columns.write_without_pose(answers, FULL, true, &mut text),
-        }
+        cells.clear();
+        columns.write(answers, (*pose, &whole), (FULL, true, Some(&greatest)), &mut cells);
+        text.push_str(std::str::from_utf8(&cells).unwrap_or_default());
     }
     let unread = |error: std::io::Error| {
         let empty = crate::exercise::table::TableError::Empty { what: "no key", span: None };

@@ -173,6 +173,20 @@ impl Table {
 }
 
 impl Mechanism {
+    /// The questions of an expression, and of the named quantities in it.
+    pub fn each_query(&self, expr: &Expr, see: &mut dyn FnMut(&Query)) {
+        expr.queries(&mut |query| see(query));
+        let mut named = Vec::new();
+        expr.parts(&mut |part| {
+            if let Expr::Quantity(id) = part {
+                named.push(*id);
+            }
+        });
+        for quantity in named.into_iter().filter_map(|id| self.quantities.get(id.index())) {
+            self.each_query(&quantity.expr, see);
+        }
+    }
+
     /// The links inside which the file asks for forces.
     #[must_use]
     pub fn asked_inside(&self) -> Vec<LinkId> {

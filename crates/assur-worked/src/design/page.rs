@@ -2,7 +2,6 @@
 
 use crate::course::plain;
 use crate::document::{Block, Line, Table, text};
-use crate::prune::queries;
 use crate::words::{DesignMessage as Message, Language, say};
 use assur_formula::{Equation, Expr, Lines, Name, Node, Quantity, Unit, name_node};
 use assur_model::model::{FindKind, PairId, PairKind, Query};
@@ -119,7 +118,7 @@ impl Page {
         let mut pairs: Vec<PairId> = Vec::new();
         for find in &mechanism.finds {
             let FindKind::Value { expr, .. } = &find.kind else { continue };
-            queries(mechanism, expr, &mut |query| {
+            mechanism.each_query(expr, &mut |query| {
                 if let Query::Stroke(pair)
                 | Query::TimeRatio(pair)
                 | Query::Dead(pair, _)

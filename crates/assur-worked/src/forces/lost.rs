@@ -260,7 +260,7 @@ impl Derivation<'_> {
         for (i, find) in mechanism.finds.iter().enumerate() {
             let FindKind::Value { expr, display, .. } = &find.kind else { continue };
             let mut which = None;
-            crate::prune::queries(mechanism, expr, &mut |query| {
+            mechanism.each_query(expr, &mut |query| {
                 if let Query::Critical(index) = query {
                     which = mechanism.criticals.get(*index).cloned();
                 }

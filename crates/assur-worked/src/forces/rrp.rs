@@ -140,7 +140,7 @@ impl Derivation<'_> {
         for find in &mechanism.finds {
             match &find.kind {
                 FindKind::Reactions => return true,
-                FindKind::Value { expr, .. } => crate::prune::queries(mechanism, expr, &mut |query| {
+                FindKind::Value { expr, .. } => mechanism.each_query(expr, &mut |query| {
                     asked |=
                         matches!(query, Query::Moment(own, _) | Query::ContactForce(own, _) if *own == pair);
                 }),

@@ -31,7 +31,7 @@ impl Derivation<'_> {
         let mut wanted: Vec<SubstitutionRequest> = Vec::new();
         for find in &mechanism.finds {
             let FindKind::Value { expr, .. } = &find.kind else { continue };
-            crate::prune::queries(mechanism, expr, &mut |query| {
+            mechanism.each_query(expr, &mut |query| {
                 let one = match *query {
                     Query::DynamicSubstitution(link, first, _) => {
                         SubstitutionRequest { link, first, second: None }
