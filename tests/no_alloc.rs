@@ -271,10 +271,11 @@ fn allocations_of_rows(for_answers: bool) -> u64 {
         let solved = solved.expect("the row closes").answers(PrintedDigits::READABLE);
         assert!(problems.is_empty());
         let written = answers.get_or_insert_with(|| AnswerColumns::of(&solved.model));
-        let whole = written.whole_if_any(&solved);
-        solved
-            .poses()
-            .for_each(|pose| written.write_beside(&solved, pose, &whole, (15, false, None), &mut out));
+        let whole = written.whole(&solved);
+        for line in written.lines(&solved, false) {
+            let places = (line.pose, line.whole(&whole));
+            written.write(&solved, places, (15, false, None), &mut out);
+        }
     };
     (0..20).for_each(&mut solve);
     let counted = allocation_counter::measure(|| (20..200).for_each(&mut solve));

@@ -63,14 +63,16 @@ fn wrong_cells(solved: &Solved) -> Vec<String> {
     let column = |table: &Table, i: usize| table.rows.iter().map(|row| row[i].clone()).collect::<Vec<_>>();
     let mut found = Vec::new();
     for i in 1..sweep.columns.len() {
-        let (shown, full) = (column(sweep, i), column(&full, i));
+        let own = full.columns.iter().position(|column| column.header == sweep.columns[i].header).unwrap();
+        let (shown, full) = (column(sweep, i), column(&full, own));
         let [shown, full] = [&shown, &full].map(|cells| cells.iter().map(String::as_str).collect::<Vec<_>>());
         found.extend(wrong(&sweep.columns[i].header, &shown, &full));
     }
-    for (i, row) in tables.iter().skip(1).flat_map(|table| &table.rows).enumerate() {
-        let Some(cell) = full.rows[0].get(sweep.columns.len() + i) else { break };
-        if !row[1].starts_with('(') {
-            found.extend(wrong(&row[0], &[&row[1]], &[cell]));
+    for row in tables.iter().skip(1).flat_map(|table| &table.rows) {
+        let is_own = |header: &str| header == row[0] || header.starts_with(&format!("{} [", row[0]));
+        let own = full.columns.iter().position(|column| is_own(&column.header));
+        if let Some(own) = own.filter(|_| !row[1].starts_with('(')) {
+            found.extend(wrong(&row[0], &[&row[1]], &[&full.rows[0][own]]));
         }
     }
     found

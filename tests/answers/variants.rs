@@ -141,12 +141,14 @@ fn a_batch_writes_what_solve_writes() {
         let columns = AnswerColumns::of(&answers.model);
         let mut text = std::iter::once(columns.pose_header().to_owned()).chain(columns.headers(false));
         let head: Vec<String> = text.by_ref().map(|h| csv::field(&h).into_owned()).collect();
-        let mut lines = head.join(",") + csv::LINE_END;
+        let mut lines = (head.join(",") + csv::LINE_END).into_bytes();
+        let whole = columns.whole(&answers);
         for pose in answers.poses() {
-            lines += &pose.name;
-            columns.write(&answers, pose, FULL, false, &mut lines);
-            lines += csv::LINE_END;
+            lines.extend(pose.name.as_bytes());
+            columns.write(&answers, (Some(pose), &whole), (FULL, false, None), &mut lines);
+            lines.extend(csv::LINE_END.as_bytes());
         }
+        let lines = String::from_utf8(lines).expect("text");
         assert_eq!(lines, csv::render(&report::table_of_poses(&answers)), "{file}");
         written += 1;
     }
@@ -181,8 +183,9 @@ fn the_columns_of_one_row_are_those_of_another_structure() {
     for (first, other) in [(&smooth, &rough), (&rough, &smooth)] {
         let answers = other.answers(PrintedDigits::READABLE);
         let written = |columns: &AnswerColumns| {
-            let mut line = String::new();
-            answers.poses().for_each(|pose| columns.write(&answers, pose, FULL, false, &mut line));
+            let mut line = Vec::new();
+            let write = |pose| columns.write(&answers, (Some(pose), &[]), (FULL, false, None), &mut line);
+            answers.poses().for_each(write);
             line
         };
         let model = first.answers(PrintedDigits::READABLE).model;

@@ -4,6 +4,7 @@ mod accuracy;
 mod agents;
 #[cfg(feature = "arrow")]
 mod arrow;
+mod asked;
 mod batch;
 mod cli;
 mod course;

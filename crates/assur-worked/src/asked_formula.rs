@@ -5,7 +5,7 @@ use crate::forces::quantity_name;
 use crate::sheet::printed_unit;
 use crate::words::{FunctionWords, Language, QuestionMessage, RunMessage, say};
 use assur_formula::{Expr as Formula, Function, Name, Node, Quantity, Sign, Unit, name_node};
-use assur_model::model::Mechanism;
+use assur_model::model::{DriveTarget, Mechanism, PairKind};
 use assur_syntax::document::{
     Arg, BinaryOp, CompareOp, Expr, ExprKind, Number, PassingSense, Statement, UnaryOp,
 };
@@ -259,35 +259,46 @@ impl Writer<'_> {
             let [arg] = args else { return None };
             Some(Formula::Of(function, Box::new(self.formula(&arg.value)?)))
         };
-        let letter = match function {
+        match function {
             "sin" => return of(Function::Sin),
             "cos" => return of(Function::Cos),
             "tan" => return of(Function::Tan),
             "sqrt" => return Some(Formula::Root(Box::new(self.formula(&args.first()?.value)?))),
             "abs" | "mag" => return Some(Formula::Abs(Box::new(self.formula(&args.first()?.value)?))),
-            "omega" => "ω",
-            "alpha" => "α",
-            "angle" => "φ",
-            "velocity" => "v",
-            "acceleration" => "a",
-            "jerk" => "j",
-            "angular_jerk" => "ζ",
-            "position" => "r",
-            "relative_velocity" => "v",
-            "relative_acceleration" => "a",
-            "displacement" => "s",
-            "axial" => "N",
-            "reaction" => "R",
-            "normal" => "N",
-            "moment" => "M",
-            "power" => "P",
-            "radius" => "r",
-            "dir" => "∠",
-            "start" => "s₀",
-            other => &other.replace('_', " "),
-        };
-        let parts: Option<Vec<String>> = args.iter().map(|arg| self.index(&arg.value)).collect();
-        Some(leaf(Name::new(letter, &parts?.join(","))))
+            "max" | "min" | "mean" => {
+                let [Arg { name: None, value }] = args else { return None };
+                let Formula::Leaf(own) = self.formula(value)? else { return None };
+                let extreme = own.name.and(if function == "mean" { "m" } else { function });
+                return Some(leaf(extreme));
+            }
+            _ => {}
+        }
+        let parts = || args.iter().map(|arg| self.index(&arg.value)).collect::<Option<Vec<_>>>();
+        let first = || args.first().map_or_else(|| Some(String::new()), |arg| self.index(&arg.value));
+        Some(leaf(match (function, lettered(function)) {
+            ("effort", _) => {
+                let drive = first()?;
+                Name::new(if self.turns(&drive) { "M" } else { "F" }, &drive)
+            }
+            ("drive", _) => {
+                let turns = self.mechanism.drives.first().is_some_and(|drive| self.turns(&drive.name));
+                Name::new(if turns { "φ" } else { "s" }, &parts()?.join(","))
+            }
+            (_, Some((letter, Index::All))) => Name::new(letter, &parts()?.join(",")),
+            (_, Some((letter, Index::Behind(before)))) => Name::new(letter, &format!("{before}{}", first()?)),
+            (_, Some((letter, Index::Own(index)))) => Name::new(letter, index),
+            (other, None) => Name::new(&other.replace('_', " "), &parts()?.join(",")),
+        }))
+    }
+
+    /// Whether a drive turns what it drives.
+    fn turns(&self, name: &str) -> bool {
+        let drive = self.mechanism.drives.iter().find(|drive| drive.name == name);
+        drive.is_some_and(|drive| match drive.target {
+            DriveTarget::Link(_) => true,
+            DriveTarget::Pair(pair) => matches!(self.mechanism.pair(pair).kind, PairKind::Revolute(_)),
+            DriveTarget::Point(..) | DriveTarget::Place(..) => false,
+        })
     }
 
     /// The number of a link.
@@ -308,6 +319,61 @@ impl Writer<'_> {
             },
         }
     }
+}
+
+/// The index of a letter: its arguments, the first of them behind something, or one of its own.
+enum Index {
+    All,
+    Behind(&'static str),
+    Own(&'static str),
+}
+
+/// The letter of what is asked of a part of the mechanism.
+fn lettered(function: &str) -> Option<(&'static str, Index)> {
+    use Index::{All, Behind, Own};
+    Some(match function {
+        "omega" => ("ω", All),
+        "alpha" => ("α", All),
+        "angle" => ("φ", All),
+        "velocity" => ("v", All),
+        "acceleration" => ("a", All),
+        "jerk" => ("j", All),
+        "angular_jerk" => ("ζ", All),
+        "position" => ("r", All),
+        "relative_velocity" | "slip_speed" => ("v", All),
+        "relative_acceleration" => ("a", All),
+        "displacement" => ("s", All),
+        "stroke" => ("H", All),
+        "time_ratio" => ("K", All),
+        "pressure_angle" => ("α", All),
+        "transmission_angle" => ("μ", All),
+        "contact_ratio" => ("ε", All),
+        "axial" => ("N", All),
+        "reaction" => ("R", All),
+        "normal" => ("N", All),
+        "moment" => ("M", All),
+        "friction" => ("F", Behind("f")),
+        "tangential_force" => ("F", Behind("t,")),
+        "normal_force" => ("F", Behind("n,")),
+        "tight_side" => ("F", Behind("1,")),
+        "slack_side" => ("F", Behind("2,")),
+        "tension" => ("S", Behind("")),
+        "journal_torque" | "thrust_torque" => ("M", Own("f")),
+        "efficiency" => ("η", Own("")),
+        "kinetic_energy" => ("E", Own("k")),
+        "potential_energy" => ("E", Own("p")),
+        "energy" => ("E", Own("")),
+        "period" => ("T", Own("")),
+        "time" => ("t", All),
+        "count" => ("n", All),
+        "speed" => ("ω", All),
+        "curvature_radius" => ("ρ", All),
+        "power" => ("P", All),
+        "radius" => ("r", All),
+        "dir" => ("∠", All),
+        "start" => ("s₀", All),
+        _ => return None,
+    })
 }
 
 fn of_number(number: &Number) -> Formula {

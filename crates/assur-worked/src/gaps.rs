@@ -49,13 +49,14 @@ pub fn gaps(exercise: &Exercise<'_>, language: Language) -> GapSheet {
 
 /// All gaps, position by position where there are several, then those of no position.
 fn all(exercise: &Exercise<'_>, language: Language) -> Vec<Gap> {
+    let own = exercise.own_letters(language);
     let at = |(position, asked): (Option<&String>, Vec<&SheetQuestion>)| -> Vec<Gap> {
         let position = position.map(|name| {
             let words = plain(&say(language, Message::Position, &[]));
             [name.clone(), format!("{words} {name}")]
         });
         let of = |(name, letters, question)| Gap { position: position.clone(), name, letters, question };
-        asked.into_iter().flat_map(|asked| exercise.letters(asked, language)).map(of).collect()
+        asked.into_iter().flat_map(|asked| exercise.letters(asked, &own, language)).map(of).collect()
     };
     exercise.places().into_iter().flat_map(at).collect()
 }

@@ -14,11 +14,23 @@ use assur_model::model::{
 /// The questions of a file, one after another.
 pub fn questions(mechanism: &Mechanism, source: &str, language: Language) -> Vec<Line> {
     let asking = Asking { mechanism, language };
-    mechanism.finds.iter().map(|find| asking.item(find, source)).collect()
+    let letters = letters_of_all(mechanism, source, language);
+    mechanism.finds.iter().zip(letters).map(|(find, letters)| asking.item(find, source, letters)).collect()
+}
+
+/// The letters of all questions: no two have the same ones.
+pub fn letters_of_all(mechanism: &Mechanism, source: &str, language: Language) -> Vec<Option<Node>> {
+    let mut all: Vec<Option<Node>> = Vec::new();
+    for find in &mechanism.finds {
+        let own = letters_of(mechanism, find, source, language);
+        let is_free = !all.iter().any(|others| others.is_some() && *others == own);
+        all.push(own.filter(|_| is_free));
+    }
+    all
 }
 
 /// The letters of a question: those of its name, else of what it is; none where it has only words.
-pub fn letters_of(mechanism: &Mechanism, find: &Find, source: &str, language: Language) -> Option<Node> {
+fn letters_of(mechanism: &Mechanism, find: &Find, source: &str, language: Language) -> Option<Node> {
     let written = written(find, source);
     let named = named(find, written);
     let own = named.and_then(|name| letters(mechanism, name, language));
@@ -36,7 +48,7 @@ fn named<'a>(find: &Find, written: &'a str) -> Option<&'a str> {
 
 /// What one question is, without its letters and its unit.
 pub fn question(mechanism: &Mechanism, source: &str, find: &Find, language: Language) -> Line {
-    Asking { mechanism, language }.named(find, source, false)
+    Asking { mechanism, language }.named(find, source, None)
 }
 
 /// A reaction among all of them.
@@ -52,8 +64,8 @@ struct Asking<'a> {
 
 impl Asking<'_> {
     /// The letters of a question, what it is, and its unit.
-    fn item(&self, find: &Find, source: &str) -> Line {
-        let mut line = self.named(find, source, true);
+    fn item(&self, find: &Find, source: &str, letters: Option<Node>) -> Line {
+        let mut line = self.named(find, source, letters);
         if let FindKind::Value { display, .. } = &find.kind
             && !display.unit.is_empty()
         {
@@ -63,7 +75,7 @@ impl Asking<'_> {
     }
 
     /// What a question is, after the letters that it has.
-    fn named(&self, find: &Find, source: &str, with_letters: bool) -> Line {
+    fn named(&self, find: &Find, source: &str, letters: Option<Node>) -> Line {
         let written = written(find, source);
         let expr = match &find.kind {
             FindKind::Reactions => return self.say(QuestionMessage::Reactions, &[]),
@@ -74,11 +86,7 @@ impl Asking<'_> {
         let mut line = Vec::new();
         let words = self.expr(expr);
         // what is only a formula needs no letters but its name's
-        let letters = match named {
-            _ if !with_letters => None,
-            None if words.is_none() => None,
-            _ => letters_of(self.mechanism, find, source, self.language).map(Inline::Math),
-        };
+        let letters = letters.filter(|_| named.is_some() || words.is_some()).map(Inline::Math);
         if let Some(letters) = letters.filter(|l| words.as_ref().is_none_or(|words| !words.contains(l))) {
             line.push(letters);
             line.push(text(" – "));

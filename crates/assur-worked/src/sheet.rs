@@ -4,11 +4,11 @@ use crate::asked_formula::{letters, written_in_letters};
 use crate::course::{Derivation, plain};
 use crate::document::{Block, Document, Inline, Line, Table, text};
 use crate::forces::quantity_name;
-use crate::questions::{letters_of, questions};
+use crate::questions::{letters_of_all, questions};
 use crate::results::unit_of;
 use crate::words::{Language, Message, say};
 use crate::worked::{given_rows, without_empty};
-use assur_formula::{Name, Quantity, Unit, name_node};
+use assur_formula::{Name, Node, Quantity, Unit, name_node};
 use assur_model::model::{Find, FindKind, Mechanism, Query, Value};
 use assur_picture::Scene;
 use assur_text::units::{Dimension, lookup, significant};
@@ -172,12 +172,13 @@ pub fn key(
     rows: &[([String; 2], Vec<SheetQuestion>)],
 ) -> Document {
     let mut blocks = vec![Block::Remark(say(language, Message::KeyHead, &[]))];
-    let headers: Vec<String> =
-        rows.first().iter().flat_map(|(_, asked)| asked).flat_map(SheetQuestion::headers).collect();
+    let own = exercise.own_letters(language);
+    let first = rows.first().into_iter().flat_map(|(_, asked)| asked);
+    let headers: Vec<Line> = first.flat_map(|asked| exercise.headers(asked, &own, language)).collect();
     let mut positions = rows.iter().map(|(names, _)| &names[1]);
     let first = positions.next();
     let lead = if positions.all(|name| Some(name) == first) { 1 } else { 2 };
-    let words = [Message::Variant, Message::Position].map(|m| plain(&say(language, m, &[])));
+    let words = [Message::Variant, Message::Position].map(|m| say(language, m, &[]));
     let cells = |(names, asked): &([String; 2], Vec<SheetQuestion>)| {
         names.iter().take(lead).cloned().chain(asked.iter().flat_map(SheetQuestion::figures)).collect()
     };
@@ -197,7 +198,7 @@ fn forms(lead: &[Line], headers: &[Line], rows: &[Vec<String>]) -> Vec<Block> {
 }
 
 /// A wide table in parts, each with the columns that name its rows.
-fn in_parts(lead: &[String], headers: &[String], rows: &[Vec<String>]) -> Vec<Block> {
+fn in_parts(lead: &[Line], headers: &[Line], rows: &[Vec<String>]) -> Vec<Block> {
     let first = lead.len();
     let part = |from: usize| {
         let to = (from + IN_PART).min(headers.len());
@@ -206,8 +207,8 @@ fn in_parts(lead: &[String], headers: &[String], rows: &[Vec<String>]) -> Vec<Bl
             cells.cloned().collect()
         };
         let all = [lead, &headers[from..to]].concat();
-        let numbers = (first..all.len()).collect();
-        Block::Table(Table { numbers, ..table(all, rows.iter().map(of).collect()) })
+        let numbers = (first..all.len()).collect::<Vec<_>>();
+        Block::Table(Table { headers: all, numbers, ..table(Vec::new(), rows.iter().map(of).collect()) })
     };
     (0..headers.len()).step_by(IN_PART).map(part).collect()
 }
@@ -274,13 +275,6 @@ impl SheetQuestion {
             Some(Value::Vector(v)) => vec![v.x, v.y],
             Some(Value::Bool(_)) | None => Vec::new(),
         }
-    }
-
-    /// The headers of its columns, as `assur grade` reads them.
-    fn headers(&self) -> Vec<String> {
-        let unit = if self.unit.is_empty() { String::new() } else { format!(" [{}]", self.unit) };
-        let parts: &[&str] = if self.vector { &[".x", ".y"] } else { &[""] };
-        parts.iter().map(|part| format!("{}{part}{unit}", self.name)).collect()
     }
 
     fn figures(&self) -> Vec<String> {
@@ -454,8 +448,9 @@ impl Exercise<'_> {
 
     /// Cells for the answers, by position where there are several.
     fn answers(&self, language: Language) -> Vec<Block> {
+        let own = self.own_letters(language);
         let headers = |asked: &[&SheetQuestion]| -> Vec<Line> {
-            asked.iter().flat_map(|asked| self.headers(asked, language)).collect()
+            asked.iter().flat_map(|asked| self.headers(asked, &own, language)).collect()
         };
         let (at, whole): (Vec<_>, Vec<_>) =
             self.places().into_iter().partition(|(position, _)| position.is_some());
@@ -472,28 +467,36 @@ impl Exercise<'_> {
     }
 
     /// The letters of a question with its unit, by component.
-    fn headers(&self, asked: &SheetQuestion, language: Language) -> Vec<Line> {
+    fn headers(&self, asked: &SheetQuestion, own: &[Option<Node>], language: Language) -> Vec<Line> {
         let with_unit = |(_, letters, _): (String, Line, Option<usize>)| {
             letters.into_iter().flat_map(|letters| with_unit(letters, &asked.unit)).collect()
         };
-        self.letters(asked, language).into_iter().map(with_unit).collect()
+        self.letters(asked, own, language).into_iter().map(with_unit).collect()
     }
 
-    /// The name of a question by component, with its letters, or its number where it has none, and its place.
+    /// The letters of each item of `find`.
+    pub(crate) fn own_letters(&self, language: Language) -> Vec<Option<Node>> {
+        letters_of_all(self.mechanism, self.text, language)
+    }
+
+    /// The name of a question by component, with its letters, or its number where it has none, and its place. Items of `find` have their
+    /// `own` letters.
     pub(crate) fn letters(
         &self,
         asked: &SheetQuestion,
+        own: &[Option<Node>],
         language: Language,
     ) -> Vec<(String, Line, Option<usize>)> {
         let number = self.mechanism.finds.iter().position(|find| find.name == asked.name);
-        let find = number.map(|i| &self.mechanism.finds[i]).filter(|_| !asked.vector);
-        let own = || letters_of(self.mechanism, find?, self.text, language);
+        let own = |part: &str| match number {
+            Some(i) if !asked.vector => own[i].clone(),
+            _ => letters(self.mechanism, &format!("{}{part}", asked.name), language),
+        };
         let parts: &[&str] = if asked.vector { &[".x", ".y"] } else { &[""] };
         let of = |part: &&str| {
             let written = format!("{}{part}", asked.name);
             let words = || number.map_or_else(|| written.clone(), |i| format!("({}){part}", i + 1));
-            let letters = own().or_else(|| letters(self.mechanism, &written, language));
-            let line = vec![letters.map_or_else(|| text(words()), Inline::Math)];
+            let line = vec![own(part).map_or_else(|| text(words()), Inline::Math)];
             (written, line, number)
         };
         parts.iter().map(of).collect()

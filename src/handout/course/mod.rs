@@ -198,7 +198,9 @@ fn scored(
     rules: &Rules,
     language: Language,
 ) -> Result<(Vec<QuizGap>, Vec<String>), Fault> {
-    let shown = made.exercise.scene.map(|scene| scene.pose.name.as_str());
+    // what needs no position has a line of its own beside several
+    let shown = made.exercise.scene.filter(|_| made.exercise.positions.len() <= 1);
+    let shown = shown.map(|scene| scene.pose.name.as_str());
     let pose_of = |gap: &Gap| {
         let name = gap.position.as_ref().map(|[name, _]| name.as_str()).or(shown)?;
         made.answers.poses().find(|pose| pose.name == name)

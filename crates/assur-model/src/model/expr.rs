@@ -313,6 +313,34 @@ pub enum Query {
 }
 
 impl Query {
+    /// The pair that is asked about.
+    #[must_use]
+    pub const fn pair(&self) -> Option<PairId> {
+        match *self {
+            Self::StopsEffort(pair)
+            | Self::Impulse(pair)
+            | Self::Displacement(pair)
+            | Self::RelativeVelocity(pair)
+            | Self::Sliding(pair)
+            | Self::RelativeAcceleration(pair)
+            | Self::RelativeJerk(pair)
+            | Self::Coriolis(pair)
+            | Self::Reaction(pair, _)
+            | Self::Moment(pair, _)
+            | Self::Normal(pair, _)
+            | Self::Friction(pair, _)
+            | Self::FrictionPower(pair)
+            | Self::ContactForce(pair, _)
+            | Self::LineOffset(pair)
+            | Self::PressureAngle(pair)
+            | Self::Travel(pair)
+            | Self::Stroke(pair)
+            | Self::TimeRatio(pair)
+            | Self::Dead(pair, _) => Some(pair),
+            _ => None,
+        }
+    }
+
     /// The point whose motion is asked.
     pub const fn point_mut(&mut self) -> Option<&mut PointRef> {
         match self {

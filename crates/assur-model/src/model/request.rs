@@ -1,7 +1,7 @@
 //! Questions and expectations.
 
 use super::{
-    Answer, BinaryOp, Display, DriveId, Expr, Function, LinkId, Load, Mechanism, Query, Table, Value,
+    Answer, BinaryOp, Display, DriveId, Expr, Function, LinkId, Load, Mechanism, PairId, Query, Table, Value,
 };
 use crate::source::Span;
 
@@ -185,6 +185,24 @@ impl Mechanism {
         for quantity in named.into_iter().filter_map(|id| self.quantities.get(id.index())) {
             self.each_query(&quantity.expr, see);
         }
+    }
+
+    /// Whether the file asks for something of a pair, or says how it rubs: then a reader has to know which one it is.
+    #[must_use]
+    pub fn speaks_of(&self, pair: PairId) -> bool {
+        let mut asked = self.pair(pair).friction.is_some();
+        let mut look = |expr: &Expr| {
+            self.each_query(expr, &mut |query| asked |= query.pair() == Some(pair));
+        };
+        for find in &self.finds {
+            match &find.kind {
+                FindKind::Value { expr, .. } => look(expr),
+                FindKind::Table(table) => table.questions().for_each(&mut look),
+                FindKind::Reactions => {}
+            }
+        }
+        self.cycles.iter().for_each(|cycle| look(&cycle.expr));
+        asked
     }
 
     /// The links inside which the file asks for forces.

@@ -164,7 +164,21 @@ impl<'a> Sketch<'a, '_> {
                     self.sleeve(drawing, g.guide, at, along);
                 }
             }
+            let at = if form == Form::Sleeve { self.on_paper(g.guide, g.through) } else { slider };
+            self.guide_name(drawing, id, at - guide::below(along) * guide::BLOCK.y, along);
             drawing.end();
+        }
+    }
+
+    /// The name of a sliding pair on the free side of its block, where the file asks for something of it. It is not that of its point.
+    fn guide_name(&self, drawing: &mut Drawing, id: PairId, at: Vec2, along: Vec2) {
+        let mechanism = self.scene.mechanism();
+        let pair = mechanism.pair(id);
+        let is_point =
+            |link: &LinkId| mechanism.link(*link).points.iter().any(|point| point.name == pair.name);
+        if mechanism.speaks_of(id) && !pair.kind.links().iter().any(is_point) {
+            let label = Label::at(Text::name(&pair.name), super::link::POINT, at, 0.5);
+            drawing.label(label.towards(-guide::below(along)).ranked(3));
         }
     }
 
@@ -231,6 +245,7 @@ impl<'a> Sketch<'a, '_> {
             guide::slot(drawing, at, along, ends, g.guide == LinkId::GROUND);
             let pin = self.on_paper(g.slider, g.point);
             drawing.mark(Style::Hinge, Shape::Circle { centre: pin, radius: hinge::PIN });
+            self.guide_name(drawing, PairId::at(i), pin, along);
             drawing.end();
         }
     }
