@@ -9,6 +9,7 @@ use assur_check::{self as check, ColumnUse, FileRow, Overrides};
 use assur_model::model::{Level, NamedValue, Value};
 use assur_picture::Scene;
 use assur_position::plan::Effects;
+use assur_solve::solve::Pose;
 use assur_syntax::document::{self, Definition, Expr, Statement};
 use assur_text::diagnostic::Problems;
 use assur_text::source::Spanned;
@@ -46,6 +47,14 @@ pub(super) struct Made<'m> {
     pub exercise: &'m Exercise<'m>,
     pub drawn: &'m Solved,
     pub answers: &'m Answers<'m>,
+}
+
+impl<'m> Made<'m> {
+    /// The position of a question by its name.
+    pub fn pose(&self, name: &str) -> Option<&'m Pose> {
+        let columns = AnswerColumns::of(&self.answers.model);
+        columns.lines(self.answers, true).find(|line| line.name() == name)?.pose
+    }
 }
 
 /// What a sheet is for: all rows, with their table, or one.
@@ -290,9 +299,9 @@ impl<'a> Sheets<'a> {
             text: &self.handout.source.text,
             scene,
             shown,
-            asked: columns.asked(&answers, AnswerLine { pose: wanted, whole: true }),
+            asked: columns.asked(&answers, AnswerLine::at(wanted)),
             hidden: Self::hidden(asking),
-            positions: lines.filter_map(|line| Some(line.pose?.name.clone())).collect(),
+            positions: lines.filter(|line| line.pose.is_some()).map(|line| line.name().to_owned()).collect(),
             varied: &varied,
             others: &others,
             formulas: &formulas,

@@ -11,13 +11,24 @@ use assur_worked::SheetQuestion;
 pub struct AnswerLine<'p> {
     pub pose: Option<&'p Pose>,
     pub whole: bool,
+    /// It is where an event ends the motion, and when that is, is an answer.
+    ends: bool,
 }
 
-impl AnswerLine<'_> {
+/// The name of a position at which an event ends the motion.
+const END: &str = "end";
+
+impl<'p> AnswerLine<'p> {
+    /// That of all answers at a position.
+    #[must_use]
+    pub const fn at(pose: Option<&'p Pose>) -> Self {
+        Self { pose, whole: true, ends: false }
+    }
+
     /// The name of its position; nothing where it has none.
     #[must_use]
-    pub fn name(&self) -> &str {
-        self.pose.map_or("", |pose| &pose.name)
+    pub fn name(&self) -> &'p str {
+        if self.ends { END } else { self.pose.map_or("", |pose| &pose.name) }
     }
 
     /// Of the answers that need no pose those that this line has.
@@ -41,15 +52,16 @@ impl AnswerColumns {
         key: bool,
         names: &[String],
     ) -> impl Iterator<Item = AnswerLine<'p>> {
-        let is_wanted = |pose: &&Pose| names.is_empty() || names.contains(&pose.name);
+        let is_wanted =
+            |line: &AnswerLine<'_>| names.is_empty() || names.iter().any(|name| name == line.name());
         let positions = answers.asked_positions(key).filter(is_wanted);
         let count = positions.clone().take(2).count();
         let shown = |whole: bool| self.answers.iter().any(|a| (a.asked || !key) && a.is_whole() == whole);
         let at_positions = count > 0 && (count == 1 || self.asks_at_positions(key));
         let apart = count != 1 && (shown(true) || !at_positions);
-        let first = apart.then_some(AnswerLine { pose: None, whole: true });
+        let first = apart.then_some(AnswerLine::at(None));
         let each = positions.filter(move |_| at_positions);
-        first.into_iter().chain(each.map(move |pose| AnswerLine { pose: Some(pose), whole: count == 1 }))
+        first.into_iter().chain(each.map(move |line| AnswerLine { whole: count == 1, ..line }))
     }
 
     /// Why a line lacks answers: there is no solution at its position, or at one of all where these have no lines.
@@ -97,18 +109,23 @@ impl AnswerColumns {
 }
 
 impl<'a> Answers<'a> {
-    /// The positions that answers are asked for at; with those of events, unless for a key.
-    fn asked_positions(&self, key: bool) -> impl Iterator<Item = &'a Pose> + Clone + use<'a> {
+    /// The positions that answers are asked for at; with those of events, unless for a key. The end of a motion has answers in any case.
+    fn asked_positions(&self, key: bool) -> impl Iterator<Item = AnswerLine<'a>> + Clone + use<'a> {
         let (solution, mechanism) = (self.solution, self.model.mechanism);
         let all = self.asked_for();
-        let positions = || {
-            let all = all.clone();
-            let is_given = move |pose: &&Pose| {
-                pose.is_position()
-                    && (mechanism.events.is_empty() || solution.events_at(mechanism, pose).is_empty())
-            };
-            all.filter(move |pose| !key || is_given(pose))
+        let line = move |pose: &'a Pose| {
+            let mut ends = false;
+            if key {
+                let happens = !mechanism.events.is_empty();
+                let events = if happens { solution.events_at(mechanism, pose) } else { Vec::new() };
+                ends = !events.is_empty();
+                if !pose.is_position() || events.iter().any(|name| *name != END) {
+                    return None;
+                }
+            }
+            Some(AnswerLine { ends, ..AnswerLine::at(Some(pose)) })
         };
+        let positions = || all.clone().filter_map(line);
         // the last instant tells the period
         let tells = key && asks_period(mechanism);
         let count = if tells { positions().count() } else { 0 };

@@ -267,9 +267,14 @@ impl Writer<'_> {
             "abs" | "mag" => return Some(Formula::Abs(Box::new(self.formula(&args.first()?.value)?))),
             "max" | "min" | "mean" => {
                 let [Arg { name: None, value }] = args else { return None };
-                let Formula::Leaf(own) = self.formula(value)? else { return None };
-                let extreme = own.name.and(if function == "mean" { "m" } else { function });
-                return Some(leaf(extreme));
+                let of = match self.formula(value)? {
+                    Formula::Abs(inner) => *inner,
+                    other => other,
+                };
+                let Formula::Leaf(own) = of else { return None };
+                let which = if function == "mean" { "m" } else { function };
+                let index = if own.name.sub.is_empty() { String::new() } else { format!("{},", own.name.sub) };
+                return Some(leaf(Name { sub: index + which, ..own.name.clone() }));
             }
             _ => {}
         }

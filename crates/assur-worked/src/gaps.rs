@@ -51,10 +51,7 @@ pub fn gaps(exercise: &Exercise<'_>, language: Language) -> GapSheet {
 fn all(exercise: &Exercise<'_>, language: Language) -> Vec<Gap> {
     let own = exercise.own_letters(language);
     let at = |(position, asked): (Option<&String>, Vec<&SheetQuestion>)| -> Vec<Gap> {
-        let position = position.map(|name| {
-            let words = plain(&say(language, Message::Position, &[]));
-            [name.clone(), format!("{words} {name}")]
-        });
+        let position = position.map(|name| [name.clone(), exercise.position_in_words(name, language)]);
         let of = |(name, letters, question)| Gap { position: position.clone(), name, letters, question };
         asked.into_iter().flat_map(|asked| exercise.letters(asked, &own, language)).map(of).collect()
     };

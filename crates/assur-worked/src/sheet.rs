@@ -178,7 +178,7 @@ pub fn key(
     let mut positions = rows.iter().map(|(names, _)| &names[1]);
     let first = positions.next();
     let lead = if positions.all(|name| Some(name) == first) { 1 } else { 2 };
-    let words = [Message::Variant, Message::Position].map(|m| say(language, m, &[]));
+    let words = [say(language, Message::Variant, &[]), exercise.position_header(language)];
     let cells = |(names, asked): &([String; 2], Vec<SheetQuestion>)| {
         names.iter().take(lead).cloned().chain(asked.iter().flat_map(SheetQuestion::figures)).collect()
     };
@@ -446,6 +446,28 @@ impl Exercise<'_> {
         blocks
     }
 
+    /// What heads the names of positions: of a motion these are instants.
+    fn position_header(&self, language: Language) -> Line {
+        match self.mechanism.simulation {
+            Some(_) => {
+                let unit = &self.mechanism.display_of(Dimension::TIME).unit;
+                with_unit(Inline::Math(name_node(&Name::new("t", ""))), unit)
+            }
+            None => say(language, Message::Position, &[]),
+        }
+    }
+
+    /// What a position is called beside others: `Position 3`, `t = 0.2 s`.
+    pub(crate) fn position_in_words(&self, name: &str, language: Language) -> String {
+        match self.mechanism.simulation {
+            Some(_) if name.parse::<f64>().is_ok() => {
+                let unit = &self.mechanism.display_of(Dimension::TIME).unit;
+                format!("t = {name}{}", printed_unit(unit))
+            }
+            _ => format!("{} {name}", plain(&say(language, Message::Position, &[]))),
+        }
+    }
+
     /// Cells for the answers, by position where there are several.
     fn answers(&self, language: Language) -> Vec<Block> {
         let own = self.own_letters(language);
@@ -458,7 +480,7 @@ impl Exercise<'_> {
         if let Some((_, asked)) = at.first() {
             let rows: Vec<Vec<String>> =
                 at.iter().map(|(name, _)| name.iter().cloned().cloned().collect()).collect();
-            blocks.extend(forms(&[say(language, Message::Position, &[])], &headers(asked), &rows));
+            blocks.extend(forms(&[self.position_header(language)], &headers(asked), &rows));
         }
         for (_, asked) in whole {
             blocks.extend(forms(&[], &headers(&asked), &[Vec::new()]));

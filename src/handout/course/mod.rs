@@ -203,7 +203,7 @@ fn scored(
     let shown = shown.map(|scene| scene.pose.name.as_str());
     let pose_of = |gap: &Gap| {
         let name = gap.position.as_ref().map(|[name, _]| name.as_str()).or(shown)?;
-        made.answers.poses().find(|pose| pose.name == name)
+        made.pose(name)
     };
     let mut poses: Vec<Option<&Pose>> = Vec::new();
     let mut at = Vec::new();
@@ -235,7 +235,10 @@ fn scored(
     let drives: Vec<String> = poses.iter().map(|pose| drives_at(made.answers, *pose, &answers)).collect();
     for gap in &mut scored {
         let Some([name, words]) = &mut gap.gap.position else { continue };
-        let row = poses.iter().position(|pose| pose.is_some_and(|pose| pose.name == *name));
+        let own = made.pose(name);
+        let row = poses
+            .iter()
+            .position(|pose| own.is_some_and(|own| pose.is_some_and(|pose| pose.name == own.name)));
         *words += row.and_then(|row| drives.get(row)).map_or("", String::as_str);
     }
     Ok((scored, names))
