@@ -197,10 +197,7 @@ fn warn(pieces: &[Piece<'_>], screen: &Screen) {
 /// The name of the folder that the command line names, or that the first file is in.
 fn folder_of(named: &[String], inputs: &[Result<Input, CliError>]) -> String {
     let folder = named.iter().map(Path::new).find(|path| path.is_dir());
-    let first = inputs.iter().flatten().find_map(|input| match input {
-        Input::File(path) => path.parent(),
-        Input::Stdin => None,
-    });
+    let first = inputs.iter().flatten().find_map(|input| input.path()?.parent());
     let name = folder.or(first).and_then(Path::file_name);
     name.map_or_else(|| NAMELESS.to_owned(), |name| name.to_string_lossy().into_owned())
 }

@@ -4,6 +4,8 @@ use assur_model::model::{FindKind, Mechanism};
 use miette::Diagnostic;
 use thiserror::Error;
 
+use super::reply::Status;
+
 /// An error that is not one of the text. Its message says all there is to say: it has no code to be explained.
 #[derive(Clone, Debug, Error, Diagnostic)]
 pub enum CliError {
@@ -30,6 +32,10 @@ pub enum CliError {
     /// Too long a text, or one without end.
     #[error("`{name}` is longer than {most} MB, the most that is read")]
     TooLong { name: String, most: u64 },
+    /// A table that is gone once it is read.
+    #[error("`{name}` is not a file, and the rows of a batch are read more than once")]
+    #[diagnostic(help("write the table to a file first: `--variants table.csv`"))]
+    ReadTwice { name: String },
     #[error("there is no .mech file in the folder `{name}`")]
     #[diagnostic(help(
         "name a file itself to read it although .gitignore names it: such files are left out"
@@ -303,6 +309,10 @@ pub enum CliError {
         #[help]
         help: String,
     },
+    /// A file or a folder that a folder has.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    InFolder(Box<Self>),
     #[error("internal error of assur {version} in `{file}`: {what}")]
     #[diagnostic(help(
         "report it with the file and this message: it is an error of the program, not of your file"
@@ -311,6 +321,16 @@ pub enum CliError {
 }
 
 impl CliError {
+    /// What a folder has and cannot be read.
+    pub fn in_folder(self) -> Self {
+        Self::InFolder(Box::new(self))
+    }
+
+    /// The exit status: where a file of a folder cannot be read, the answers of the others are whole.
+    pub const fn status(&self) -> Status {
+        if matches!(self, Self::InFolder(_)) { Status::Wrong } else { Status::Unusable }
+    }
+
     /// What lines of answers leave out.
     pub fn left_out(mechanism: &Mechanism) -> Option<Self> {
         let table = mechanism.finds.iter().find(|find| matches!(find.kind, FindKind::Table(_)))?;

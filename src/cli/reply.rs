@@ -58,7 +58,8 @@ impl Reply {
 
     /// A reply about what cannot be used.
     pub fn unusable(error: CliError, screen: &Screen) -> Self {
-        Self { results: String::new(), diagnostics: complaint(error, screen), status: Status::Unusable }
+        let status = error.status();
+        Self { results: String::new(), diagnostics: complaint(error, screen), status }
     }
 }
 

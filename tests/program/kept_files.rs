@@ -215,6 +215,18 @@ fn a_text_without_end_is_refused() {
         let said = assur(&pump(), &args);
         assert!(said.status == 2 && said.stderr.contains("longer than 100 MB"), "{args:?}: {}", said.stderr);
     }
+    let folder = pump().with("k.csv", "row,x [mm]\n1,2\n");
+    for args in [
+        ["grade", "/dev/zero", "k.csv"],
+        ["grade", "k.csv", "/dev/zero"],
+        ["batch", "g.mech", "--variants=/dev/zero"],
+        ["course", "moodle", "--variants=/dev/zero"],
+    ] {
+        let args = [&args[..], if args[0] == "course" { &["g.mech"] } else { &[] }].concat();
+        let said = assur(&folder, &args);
+        let refused = ["longer than 100 MB", "is not a file"].iter().any(|says| said.stderr.contains(says));
+        assert!(said.status == 2 && refused, "{args:?}: {}", said.stderr);
+    }
     let said = assur(&pump(), &["preview", "/dev/zero"]);
     assert!(said.status == 2 && said.stderr.contains("follows one file"), "{}", said.stderr);
 }

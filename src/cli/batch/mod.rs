@@ -62,8 +62,8 @@ fn all(args: &Batch, screen: &Screen) -> Result<Status, CliError> {
             Ok(Ok(job)) => jobs.push(job),
             Ok(Err(found)) => status = status.max(found),
             Err(error) => {
+                status = status.max(error.status());
                 screen.complain(&complaint(error, screen));
-                status = Status::Unusable;
             }
         }
     }
