@@ -131,6 +131,23 @@ pub enum CliError {
     #[error("the `server.py` of `{name}` has {size} kB, and {most} kB are the most")]
     #[diagnostic(help("choose rows by --row, or give a shorter table by --variants"))]
     TooLarge { name: String, size: usize, most: usize },
+    /// A file of questions that no site takes.
+    #[error("the file of {rows} rows would have {size} MB, and {most} MB are the most")]
+    LargestUpload {
+        rows: usize,
+        size: usize,
+        most: usize,
+        #[help]
+        help: String,
+    },
+    /// A large file of questions.
+    #[error("the file of questions has {size} MB: many sites of Moodle take no more than 20 MB")]
+    #[diagnostic(severity(Advice))]
+    LargeUpload {
+        size: usize,
+        #[help]
+        help: String,
+    },
     /// No table of variants.
     #[error("`{name}` has no table of variants")]
     #[diagnostic(help("name one: `--variants TABLE.csv`, or write `variants {{ … }}` into the file"))]
