@@ -9,6 +9,7 @@ use super::files::{self, Input};
 use super::reply::{Reply, Status, complaint, guarded, quiet_panics};
 use super::report::folder_names;
 use super::screen::Screen;
+use super::stop::want_written;
 use super::threads::Threads;
 use super::variant_rows::{ChosenRow, Refused, RowsWanted, chosen_rows};
 use crate::exercise::grade::{Credit, Points, Rules};
@@ -102,6 +103,9 @@ fn written(args: &Course, screen: &Screen) -> Result<Status, CliError> {
     let (exercises, mut status) = exercises(args, inputs, screen);
     if !is_moodle {
         prairielearn::fit(&exercises)?;
+    }
+    if args.out.as_deref().is_some_and(|name| name != "-") {
+        want_written(if is_moodle { 1 } else { exercises.len() });
     }
     let mut upload = Upload::new(args, &parent, &exercises, screen);
     let (pieces, failed) =

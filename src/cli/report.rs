@@ -36,6 +36,9 @@ pub fn run(args: &Report, screen: &Screen) -> Status {
     };
     if let Some(folder) = args.folder() {
         let names = folder_names(&inputs);
+        if !args.per_row {
+            want_written(names.len());
+        }
         return for_each_input(inputs, &mut Printer::new(screen, "\n"), |source, _| {
             let name = names.get(&source.name).map_or("report", String::as_str);
             let key = if args.key { "-key" } else { "" };
