@@ -4,8 +4,6 @@ use assur_model::model::{FindKind, Mechanism};
 use miette::Diagnostic;
 use thiserror::Error;
 
-use super::reply::Status;
-
 /// An error that is not one of the text. Its message says all there is to say: it has no code to be explained.
 #[derive(Clone, Debug, Error, Diagnostic)]
 pub enum CliError {
@@ -343,9 +341,9 @@ impl CliError {
         Self::InFolder(Box::new(self))
     }
 
-    /// The exit status: where a file of a folder cannot be read, the answers of the others are whole.
-    pub const fn status(&self) -> Status {
-        if matches!(self, Self::InFolder(_)) { Status::Wrong } else { Status::Unusable }
+    /// Whether a file that a folder has cannot be read: the answers of the others are whole.
+    pub const fn is_in_folder(&self) -> bool {
+        matches!(self, Self::InFolder(_))
     }
 
     /// What lines of answers leave out.

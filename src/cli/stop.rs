@@ -16,7 +16,7 @@ pub fn count_written() {
     WRITTEN.fetch_add(1, Ordering::Relaxed);
 }
 
-/// So many more documents are going to be written.
+/// This number of documents is going to be written as well.
 pub fn want_written(count: usize) {
     WANTED.fetch_add(count, Ordering::Relaxed);
 }

@@ -63,7 +63,7 @@ fn all(args: &Batch, screen: &Screen) -> Result<Status, CliError> {
             Ok(Ok(job)) => jobs.push(job),
             Ok(Err(found)) => status = status.max(found),
             Err(error) => {
-                status = status.max(error.status());
+                status = status.max(Status::after(&error));
                 screen.complain(&complaint(error, screen));
             }
         }

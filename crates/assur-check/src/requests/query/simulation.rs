@@ -200,10 +200,8 @@ impl Context<'_> {
             _ => false,
         });
         match clutch {
-            Some(clutch) => format!("write `not slips({})`", clutch.name),
-            None => {
-                "ask it of a pair with `friction`, or `not slips(k)` of a clutch with `slipping`".to_owned()
-            }
+            Some(clutch) => format!("write `sticks({})`", clutch.name),
+            None => "ask it of a pair with `friction`, or of a clutch with `slipping`".to_owned(),
         }
     }
 
