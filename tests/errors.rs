@@ -10,7 +10,7 @@ use assur::internals::drawing::Scale;
 use assur::internals::exercise::grade::{Credit, Points, Rules, Sheet, grade};
 use assur::internals::exercise::table::{Fault, Lines, Table};
 use assur::internals::handout::course::{
-    Chapter, CourseError, Moodle, Picture, QuizOptions, Steps, checked_credit, page,
+    Chapter, CourseError, Moodle, Page, Picture, QuizOptions, Steps, checked_credit,
 };
 use assur::internals::handout::{Handout, Sheets};
 use assur::internals::picture::{KINDS, Options, Scaled, Scene, true_size};
@@ -154,7 +154,7 @@ fn asked(source: &Source) -> Problems {
         }
         true
     });
-    problems.extend(page("week 3", [Chapter { file: "a", title: "A", questions: &all }]).err());
+    problems.extend(Page::new("week 3").add(Chapter { file: "a", title: "A", questions: &all }).err());
     problems
 }
 

@@ -1,6 +1,7 @@
 //! `assur course`: an exercise set as questions of a learning platform.
 
 mod prairielearn;
+mod upload;
 
 use super::args::{Course, PictureArg, Platform};
 use super::error::CliError;
@@ -8,12 +9,13 @@ use super::files::{self, Input};
 use super::reply::{Reply, Status, complaint, guarded, quiet_panics};
 use super::report::folder_names;
 use super::screen::Screen;
-use super::sink::Sink;
+use super::stop::want_written;
 use super::threads::Threads;
 use super::variant_rows::{ChosenRow, Refused, RowsWanted, chosen_rows};
 use crate::exercise::grade::{Credit, Points, Rules};
+use crate::front::in_order::in_order;
 use crate::handout::course::{
-    Chapter, CourseError, Moodle, Picture, Question, Quiz, QuizOptions, Variant, checked_credit, page,
+    CourseError, Moodle, Picture, Question, Quiz, QuizOptions, Variant, checked_credit,
 };
 use crate::handout::{Handout, Row, Sheets};
 use assur_check::Overrides;
@@ -25,6 +27,7 @@ use assur_text::source::Source;
 use std::collections::BTreeSet;
 use std::path::Path;
 use std::sync::Arc;
+use upload::Upload;
 
 /// Rows that one thread takes at once: what they have in common is found once for all of them.
 const PIECE: usize = 8;
@@ -101,11 +104,12 @@ fn written(args: &Course, screen: &Screen) -> Result<Status, CliError> {
     if !is_moodle {
         prairielearn::fit(&exercises)?;
     }
-    let mut pieces: Vec<Piece<'_>> = exercises
-        .iter()
-        .flat_map(|exercise| exercise.rows.chunks(PIECE).map(move |rows| Piece::of(exercise, rows)))
-        .collect();
-    Threads::new(args.threads).each(&mut pieces, |(_, piece)| piece.fill(args, &rules, screen));
+    if args.out.as_deref().is_some_and(|name| name != "-") {
+        want_written(if is_moodle { 1 } else { exercises.len() });
+    }
+    let mut upload = Upload::new(args, &parent, &exercises, screen);
+    let (pieces, failed) =
+        pieces(args, &rules, &exercises, screen, |piece| if is_moodle { upload.add(piece) } else { Ok(()) });
     for pieces in pieces.chunk_by(|a, b| a.exercise.name == b.exercise.name) {
         status = status.max(reported(pieces, screen));
     }
@@ -118,18 +122,44 @@ fn written(args: &Course, screen: &Screen) -> Result<Status, CliError> {
         prairielearn::put(args, &pieces, &parent)?;
         return Ok(status);
     }
-    match quiz(&pieces, &parent) {
-        Err(error) => {
+    match failed {
+        Some(Failed::Course(error)) => {
             screen.complain(&complaint(error, screen));
-            Ok(status.max(Status::Wrong))
+            return Ok(status.max(Status::Wrong));
         }
-        Ok(None) => Ok(status),
-        Ok(Some(text)) => {
-            warn(&pieces, screen);
-            let all = status != Status::Unusable;
-            put(args, &text, all).map(|whole| status.max(Status::printed(whole)))
-        }
+        Some(Failed::Cli(error)) => return Err(error),
+        None => {}
     }
+    if upload.has_questions() {
+        warn(&pieces, screen);
+    }
+    let all = status != Status::Unusable;
+    upload.finish(all).map(|whole| status.max(Status::printed(whole)))
+}
+
+/// All rows, piece by piece in their order, until one cannot be used.
+fn pieces<'e>(
+    args: &Course,
+    rules: &Rules,
+    exercises: &'e [Exercise],
+    screen: &Screen,
+    mut take: impl FnMut(&mut Piece<'e>) -> Result<(), Failed>,
+) -> (Vec<Piece<'e>>, Option<Failed>) {
+    let rows: Vec<_> =
+        exercises.iter().flat_map(|one| one.rows.chunks(PIECE).map(move |rows| (one, rows))).collect();
+    let work = |number: usize, made: &mut Option<Piece<'e>>| {
+        let (exercise, rows) = rows[number];
+        made.insert(Piece::of(exercise, rows)).fill(args, rules, screen);
+    };
+    let (mut pieces, mut failed) = (Vec::new(), None);
+    let hand_out = |made: &mut Option<Piece<'e>>| {
+        let Some(mut piece) = made.take() else { return true };
+        failed = take(&mut piece).err();
+        pieces.push(piece);
+        failed.is_none()
+    };
+    in_order(&Threads::new(args.threads), rows.len(), &|| None, work, hand_out);
+    (pieces, failed)
 }
 
 /// The problems of all inputs; what is wrong with the others is reported.
@@ -154,15 +184,6 @@ fn exercises(
         }
     }
     (exercises, status)
-}
-
-fn put(args: &Course, text: &str, all: bool) -> Result<bool, CliError> {
-    let mut sink = match args.out.as_deref().filter(|name| *name != "-") {
-        Some(name) => Sink::file(Path::new(name))?,
-        None => Sink::stdout(),
-    };
-    sink.write(text)?;
-    sink.finish_of(all)
 }
 
 /// Says what was found in the rows of a problem, no more than is wanted.
@@ -197,10 +218,7 @@ fn warn(pieces: &[Piece<'_>], screen: &Screen) {
 /// The name of the folder that the command line names, or that the first file is in.
 fn folder_of(named: &[String], inputs: &[Result<Input, CliError>]) -> String {
     let folder = named.iter().map(Path::new).find(|path| path.is_dir());
-    let first = inputs.iter().flatten().find_map(|input| match input {
-        Input::File(path) => path.parent(),
-        Input::Stdin => None,
-    });
+    let first = inputs.iter().flatten().find_map(|input| input.path()?.parent());
     let name = folder.or(first).and_then(Path::file_name);
     name.map_or_else(|| NAMELESS.to_owned(), |name| name.to_string_lossy().into_owned())
 }
@@ -307,16 +325,21 @@ impl<'a> Piece<'a> {
     }
 }
 
-/// Why a row has no question.
+/// Why a row has no question, or there is no file of questions.
 enum Failed {
     Course(CourseError),
-    #[cfg_attr(not(feature = "png"), expect(dead_code, reason = "only pixels can fail"))]
     Cli(CliError),
 }
 
 impl From<CourseError> for Failed {
     fn from(error: CourseError) -> Self {
         Self::Course(error)
+    }
+}
+
+impl From<CliError> for Failed {
+    fn from(error: CliError) -> Self {
+        Self::Cli(error)
     }
 }
 
@@ -345,17 +368,4 @@ fn encoded(picture: PictureArg, svg: &str) -> Result<Vec<u8>, Failed> {
     }
     let _ = picture;
     Ok(light.into_bytes())
-}
-
-/// All questions, problem by problem; none where there are none.
-fn quiz(pieces: &[Piece<'_>], parent: &str) -> Result<Option<String>, CourseError> {
-    let asked = |piece: &&Piece<'_>| !piece.questions.is_empty();
-    page(
-        parent,
-        pieces.iter().filter(asked).map(|piece| Chapter {
-            file: &piece.exercise.name,
-            title: &piece.exercise.title,
-            questions: &piece.questions,
-        }),
-    )
 }

@@ -30,6 +30,10 @@ pub enum CliError {
     /// Too long a text, or one without end.
     #[error("`{name}` is longer than {most} MB, the most that is read")]
     TooLong { name: String, most: u64 },
+    /// A table that is gone once it is read.
+    #[error("`{name}` is not a file, and the rows of a batch are read more than once")]
+    #[diagnostic(help("write the table to a file first: `--variants table.csv`"))]
+    ReadTwice { name: String },
     #[error("there is no .mech file in the folder `{name}`")]
     #[diagnostic(help(
         "name a file itself to read it although .gitignore names it: such files are left out"
@@ -125,6 +129,23 @@ pub enum CliError {
     #[error("the `server.py` of `{name}` has {size} kB, and {most} kB are the most")]
     #[diagnostic(help("choose rows by --row, or give a shorter table by --variants"))]
     TooLarge { name: String, size: usize, most: usize },
+    /// A file of questions that no site takes.
+    #[error("the file of {rows} rows would have {size} MB, and {most} MB are the most")]
+    LargestUpload {
+        rows: usize,
+        size: usize,
+        most: usize,
+        #[help]
+        help: String,
+    },
+    /// A large file of questions.
+    #[error("the file of questions has {size} MB: many sites of Moodle take no more than 20 MB")]
+    #[diagnostic(severity(Advice))]
+    LargeUpload {
+        size: usize,
+        #[help]
+        help: String,
+    },
     /// No table of variants.
     #[error("`{name}` has no table of variants")]
     #[diagnostic(help("name one: `--variants TABLE.csv`, or write `variants {{ … }}` into the file"))]
@@ -303,6 +324,10 @@ pub enum CliError {
         #[help]
         help: String,
     },
+    /// A file or a folder that a folder has.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    InFolder(Box<Self>),
     #[error("internal error of assur {version} in `{file}`: {what}")]
     #[diagnostic(help(
         "report it with the file and this message: it is an error of the program, not of your file"
@@ -311,6 +336,16 @@ pub enum CliError {
 }
 
 impl CliError {
+    /// What a folder has and cannot be read.
+    pub fn in_folder(self) -> Self {
+        Self::InFolder(Box::new(self))
+    }
+
+    /// Whether a file that a folder has cannot be read: the answers of the others are whole.
+    pub const fn is_in_folder(&self) -> bool {
+        matches!(self, Self::InFolder(_))
+    }
+
     /// What lines of answers leave out.
     pub fn left_out(mechanism: &Mechanism) -> Option<Self> {
         let table = mechanism.finds.iter().find(|find| matches!(find.kind, FindKind::Table(_)))?;

@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeSet, HashSet};
 use std::fs::File;
-use std::io::{self, Read};
+use std::io::{self, BufReader, Read};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
@@ -68,28 +68,55 @@ pub fn made_folder(folder: &Path) -> Result<(), CliError> {
 }
 
 /// A text to be read.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Input {
     Stdin,
     File(PathBuf),
+    /// One that a folder or a glob has.
+    Within(PathBuf),
 }
 
 impl Input {
+    /// Its place, unless it is standard input.
+    pub fn path(&self) -> Option<&Path> {
+        match self {
+            Self::Stdin => None,
+            Self::File(path) | Self::Within(path) => Some(path),
+        }
+    }
+
     /// Reads it.
     ///
     /// # Errors
     /// What cannot be read, is too long, or is no UTF-8.
     pub fn read(self) -> Result<Source, CliError> {
-        let (name, bytes) = match self {
-            Self::Stdin => (STDIN.to_owned(), bounded(io::stdin().lock())),
-            Self::File(path) => (path.display().to_string(), File::open(&path).and_then(bounded)),
-        };
-        let bytes = bytes.map_err(|e| CliError::Unreadable { name: name.clone(), why: e.to_string() })?;
-        let Some(bytes) = bytes else { return Err(CliError::TooLong { name, most: LONGEST / 1_000_000 }) };
-        match String::from_utf8(bytes) {
-            Ok(text) => Ok(Source::new(name, text)),
-            Err(error) => Err(CliError::NotUtf8 { name, at: error.utf8_error().valid_up_to() + 1 }),
+        match self {
+            Self::Stdin => text(STDIN.to_owned(), Ok(io::stdin().lock())),
+            Self::File(path) => text(path.display().to_string(), File::open(&path)),
+            Self::Within(path) => {
+                text(path.display().to_string(), opened(&path)).map_err(CliError::in_folder)
+            }
         }
+    }
+}
+
+/// A file that was found; of a pipe nobody knows whether it ends.
+fn opened(path: &Path) -> io::Result<File> {
+    if std::fs::metadata(path)?.is_file() {
+        File::open(path)
+    } else {
+        Err(io::Error::other("it is not a file"))
+    }
+}
+
+/// The text of a file.
+fn text(name: String, from: io::Result<impl Read>) -> Result<Source, CliError> {
+    let bytes = from.and_then(bounded);
+    let bytes = bytes.map_err(|e| CliError::Unreadable { name: name.clone(), why: e.to_string() })?;
+    let Some(bytes) = bytes else { return Err(CliError::TooLong { name, most: LONGEST / 1_000_000 }) };
+    match String::from_utf8(bytes) {
+        Ok(text) => Ok(Source::new(name, text)),
+        Err(error) => Err(CliError::NotUtf8 { name, at: error.utf8_error().valid_up_to() + 1 }),
     }
 }
 
@@ -98,6 +125,39 @@ fn bounded(from: impl Read) -> io::Result<Option<Vec<u8>>> {
     let mut bytes = Vec::new();
     let read = from.take(LONGEST + 1).read_to_end(&mut bytes)?;
     Ok((read as u64 <= LONGEST).then_some(bytes))
+}
+
+/// A table of any length: a device or a pipe, which may have no end, is read as far as a text.
+pub type TableReader = BufReader<Box<dyn Read + Send>>;
+
+/// Opens a table.
+///
+/// # Errors
+/// It is not there, or cannot be read.
+pub fn table(name: &str, buffer: usize) -> Result<TableReader, CliError> {
+    let file = File::open(name).and_then(|file| Ok((file.metadata()?.is_file(), file)));
+    let (ends, file) = file.map_err(|error| unread_table(name, &error))?;
+    let reader: Box<dyn Read + Send> =
+        if ends { Box::new(file) } else { Box::new(Endless(file.take(LONGEST))) };
+    Ok(BufReader::with_capacity(buffer, reader))
+}
+
+/// A table that cannot be read.
+pub fn unread_table(name: &str, error: &io::Error) -> CliError {
+    match error.kind() {
+        io::ErrorKind::NotFound => missing(name),
+        io::ErrorKind::FileTooLarge => CliError::TooLong { name: name.to_owned(), most: LONGEST / 1_000_000 },
+        _ => CliError::Unreadable { name: name.to_owned(), why: error.to_string() },
+    }
+}
+
+/// What may have no end: an error where a text would be too long.
+struct Endless(io::Take<File>);
+
+impl Read for Endless {
+    fn read(&mut self, into: &mut [u8]) -> io::Result<usize> {
+        if self.0.limit() == 0 { Err(io::ErrorKind::FileTooLarge.into()) } else { self.0.read(into) }
+    }
 }
 
 /// Files, and folders that cannot be read.
@@ -112,10 +172,10 @@ pub fn expand(names: &[String]) -> Vec<Result<Input, CliError>> {
         match inputs_of(name) {
             Ok(found) => {
                 for input in found {
-                    if let Ok(Input::File(path)) = &input {
+                    if let Some(path) = input.as_ref().ok().and_then(Input::path) {
                         keep(path);
                     }
-                    if input.as_ref().ok().is_none_or(|input| seen.insert(input.clone())) {
+                    if input.as_ref().ok().is_none_or(|input| seen.insert(input.path().map(Path::to_owned))) {
                         inputs.push(input);
                     }
                 }
@@ -174,9 +234,9 @@ fn walk(folder: &Path, wanted: impl Fn(&Path) -> bool) -> Found {
     for entry in WalkBuilder::new(folder).build() {
         match entry {
             Ok(entry) => {
-                let is_file = entry.file_type().is_some_and(|t| t.is_file());
+                // what is no file, or a link to nothing, is named when it is read
                 let path = entry.path().strip_prefix("./").unwrap_or(entry.path());
-                if is_file && wanted(path) {
+                if wanted(path) && !entry.path().is_dir() {
                     files.push(path.to_owned());
                 }
             }
@@ -184,7 +244,7 @@ fn walk(folder: &Path, wanted: impl Fn(&Path) -> bool) -> Found {
         }
     }
     files.sort();
-    found.extend(files.into_iter().map(Input::File).map(Ok));
+    found.extend(files.into_iter().map(Input::Within).map(Ok));
     found
 }
 
@@ -201,7 +261,8 @@ fn unreadable(folder: &Path, error: &ignore::Error) -> CliError {
             _ => break,
         };
     }
-    CliError::Unreadable { name: place.display().to_string(), why: inner.to_string() }
+    let error = CliError::Unreadable { name: place.display().to_string(), why: inner.to_string() };
+    if place == folder { error } else { error.in_folder() }
 }
 
 /// Puts a text in the place of a file, at once and whole; a file with several names keeps them.

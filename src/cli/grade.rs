@@ -1,8 +1,5 @@
 //! `assur grade`
 
-use std::fs::File;
-use std::io::BufReader;
-
 use super::args::{Format, Grade};
 use super::error::CliError;
 use super::files;
@@ -12,6 +9,8 @@ use crate::exercise::grade::{Credit, Points, Rules, Sheet, grade};
 use crate::exercise::table::Fault;
 use crate::report;
 use assur_text::diagnostic::{Diagnosis, Problems};
+
+const BUFFER: usize = 1 << 16;
 
 /// Marks answers by a key: 0 where all are right, 1 where one is not.
 pub fn run(args: &Grade, screen: &Screen) -> Status {
@@ -67,12 +66,8 @@ fn rules(args: &Grade) -> Rules {
 
 /// A sheet; `None` where it has an error, which is reported.
 fn sheet(name: &str, key: Option<&Sheet>, screen: &Screen) -> Result<Option<Sheet>, CliError> {
-    let fail = |error: std::io::Error| match error.kind() {
-        std::io::ErrorKind::NotFound => files::missing(name),
-        _ => CliError::Unreadable { name: name.to_owned(), why: error.to_string() },
-    };
-    let file = File::open(name).map_err(fail)?;
-    match Sheet::read(name, BufReader::new(file), key).map_err(fail)? {
+    let reader = files::table(name, BUFFER)?;
+    match Sheet::read(name, reader, key).map_err(|error| files::unread_table(name, &error))? {
         Ok(sheet) => Ok(Some(sheet)),
         Err(fault) => {
             report(fault, screen);

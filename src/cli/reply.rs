@@ -35,6 +35,11 @@ impl Status {
         }
     }
 
+    /// Wrong where an answer of a folder is missing.
+    pub const fn after(error: &CliError) -> Self {
+        if error.is_in_folder() { Self::Wrong } else { Self::Unusable }
+    }
+
     /// Fine where all was written.
     pub const fn printed(whole: bool) -> Self {
         if whole { Self::Fine } else { Self::Unusable }
@@ -58,7 +63,8 @@ impl Reply {
 
     /// A reply about what cannot be used.
     pub fn unusable(error: CliError, screen: &Screen) -> Self {
-        Self { results: String::new(), diagnostics: complaint(error, screen), status: Status::Unusable }
+        let status = Status::after(&error);
+        Self { results: String::new(), diagnostics: complaint(error, screen), status }
     }
 }
 

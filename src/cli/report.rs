@@ -16,7 +16,7 @@ use assur_text::source::Source;
 use assur_worked::{Document, html, html_of_several, markdown, text, typst};
 use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::Arc;
 
 /// Rows that one thread takes at once: what they have in common is found once for all of them.
@@ -36,6 +36,9 @@ pub fn run(args: &Report, screen: &Screen) -> Status {
     };
     if let Some(folder) = args.folder() {
         let names = folder_names(&inputs);
+        if !args.per_row {
+            want_written(names.len());
+        }
         return for_each_input(inputs, &mut Printer::new(screen, "\n"), |source, _| {
             let name = names.get(&source.name).map_or("report", String::as_str);
             let key = if args.key { "-key" } else { "" };
@@ -100,11 +103,7 @@ fn document_of(args: &Report, source: &Source) -> (Option<Document>, Problems) {
 
 /// The names of the files of a folder by those of the problems: without their folders where these tell none apart.
 pub(in crate::cli) fn folder_names(inputs: &[Result<Input, CliError>]) -> BTreeMap<String, String> {
-    let paths = inputs.iter().flatten().filter_map(|input| match input {
-        Input::File(path) => Some(path),
-        Input::Stdin => None,
-    });
-    let paths: Vec<&PathBuf> = paths.collect();
+    let paths: Vec<&Path> = inputs.iter().flatten().filter_map(Input::path).collect();
     let last = |path: &Path| {
         let stem = path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
         file_name(&stem)

@@ -16,9 +16,9 @@ pub fn count_written() {
     WRITTEN.fetch_add(1, Ordering::Relaxed);
 }
 
-/// How many documents are going to be written.
+/// This number of documents is going to be written as well.
 pub fn want_written(count: usize) {
-    WANTED.store(count, Ordering::Relaxed);
+    WANTED.fetch_add(count, Ordering::Relaxed);
 }
 
 /// Whether what is under way now looks for the signal by itself; else the first one ends the program.

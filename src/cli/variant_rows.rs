@@ -2,6 +2,7 @@
 
 use crate::cli::batch::open_table;
 use crate::cli::error::CliError;
+use crate::cli::files::unread_table;
 use crate::exercise::table::{Fault, Lines, TableError};
 use crate::pipeline::row_words;
 use assur_check::{self as check, FileRow, Overrides};
@@ -127,8 +128,7 @@ fn of_table(
     let columns = Arc::from(columns);
     let (mut lines, mut rows) = (Lines::default(), Vec::new());
     loop {
-        let why = |e: std::io::Error| CliError::Unreadable { name: name.to_owned(), why: e.to_string() };
-        table.lines(CHUNK, &mut lines).map_err(why)?;
+        table.lines(CHUNK, &mut lines).map_err(|error| unread_table(name, &error))?;
         if lines.is_empty() {
             break;
         }

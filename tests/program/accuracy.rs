@@ -75,6 +75,21 @@ fn accuracy_is_measured() {
     assert!(rows.iter().all(|r| r["microseconds"].as_f64().unwrap() > 0.0));
 }
 
+/// A truss, which has no drive.
+#[test]
+fn a_position_without_a_drive_has_its_time() {
+    let text = "ground { A (0, 0); B (2 m, 0) }\nlink ab A-C 2 m\nlink cb B-C 2 m\nrevolute A: ground - ab\n\
+                revolute B: ground - cb\nrevolute C: ab - cb\nassemble C left of A-B\n\
+                force P on ab at C = 8 kN down\nfind axial(ab)\n";
+    let folder = Folder::new("accuracy-of-a-truss").with("a.mech", text);
+    let out = assur(&folder, &["accuracy", "a.mech", "--details"]);
+    assert!(out.status == 0 && !out.stdout.contains("inf "), "{}", out.stdout);
+    let out = assur(&folder, &["accuracy", "a.mech", "--format", "json"]).stdout;
+    let value: serde_json::Value = serde_json::from_str(&out).unwrap();
+    let time = value["summary"]["rows"][0]["microseconds"].as_f64();
+    assert!(time.is_some_and(|time| time > 0.0 && time < 1e6), "{out}");
+}
+
 const FALLING: &str = r#"mech 1
 mechanism "A bar that falls"
 gravity 9.81 m/s^2

@@ -372,3 +372,22 @@ fn without_threads_a_batch_goes_on_with_one() {
         assert!(said == whole.stderr && out.stdout == whole.stdout.as_bytes(), "{said}");
     }
 }
+
+/// To be read each file has a table of its own columns below its name, which no line repeats.
+#[test]
+fn files_to_read_have_a_table_each() {
+    let long = "a_long_name_of_a_folder/with_another_long_name_below_it_that_takes_a_line";
+    let (a, b) = (format!("{long}/a.mech"), format!("{long}/b.mech"));
+    let other = PRESS.replace("find ", "find twice = 2*r, ");
+    let folder = Folder::new("batch-names").with(&a, PRESS).with(&b, &other);
+    for format in ["table", "markdown", "latex", "typst"] {
+        let said = assur(&folder, &["batch", "a_long_name_of_a_folder", "--format", format]);
+        assert_eq!(said.status, 0, "{}", said.stderr);
+        assert_eq!(said.stdout.matches("a.mech").count(), 1, "{format}: {}", said.stdout);
+        assert_eq!(said.stdout.matches("b.mech").count(), 1, "{format}: {}", said.stdout);
+        let (first, second) = said.stdout.split_once("b.mech").unwrap();
+        assert!(!first.contains("twice") && second.contains("twice"), "{format}: {}", said.stdout);
+    }
+    let lines = assur(&folder, &["batch", "a_long_name_of_a_folder", "--format", "csv"]).stdout;
+    assert!(lines.starts_with("file,row,") && lines.contains(&format!("{a},1,")), "{lines}");
+}

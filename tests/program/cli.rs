@@ -96,6 +96,43 @@ fn one_bad_file_does_not_spoil_the_others() {
     );
 }
 
+/// Links to nothing, pipes: the others are used, and the exit status says that an answer is missing.
+#[cfg(unix)]
+#[test]
+fn a_folder_names_what_it_cannot_read() {
+    let folder = Folder::new("unreadable").with("set/a.mech", GOOD).with("set/deep.mech/b.txt", "no program");
+    std::os::unix::fs::symlink("nothing", folder.path("set/gone.mech")).unwrap();
+    std::os::unix::fs::symlink("a.mech", folder.path("set/other.mech")).unwrap();
+    let made = std::process::Command::new("mkfifo").arg(folder.path("set/pipe.mech")).status();
+    assert!(made.unwrap().success());
+    for args in [
+        &["check"][..],
+        &["solve"],
+        &["test"],
+        &["batch"],
+        &["report"],
+        &["draw", "-o", "d/"],
+        &["course", "moodle"],
+    ] {
+        for set in ["set", "set/*.mech"] {
+            let out = assur(&folder, &[args, &[set]].concat());
+            assert_eq!(out.status, 1, "{args:?} {set}: {}", out.stderr);
+            for says in ["`set/gone.mech` cannot be read", "`set/pipe.mech` cannot be read: it is not a file"]
+            {
+                assert_eq!(out.stderr.matches(says).count(), 1, "{args:?} {set}: {}", out.stderr);
+            }
+            assert!(!out.stderr.contains("deep"), "{args:?} {set}: {}", out.stderr);
+        }
+    }
+    let tested = assur(&folder, &["test", "set"]).stdout;
+    assert!(
+        tested.starts_with("set/a.mech: 1 expectation met\nset/other.mech: 1 expectation met\n"),
+        "{tested}"
+    );
+    // one that is named is an error of the command line
+    assert_eq!(assur(&folder, &["check", "set/gone.mech"]).status, 2);
+}
+
 #[test]
 fn folders_globs_and_standard_input() {
     let folder = Folder::new("names")

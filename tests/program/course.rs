@@ -485,6 +485,43 @@ fn what_cannot_be_asked_is_left_out_and_named() {
     assert!(said.status == 1 && said.stderr.contains("mech::course::too_many_gaps"), "{}", said.stderr);
 }
 
+/// The size follows from the first questions, so that a file too large is refused within seconds and leaves nothing.
+#[test]
+fn the_size_of_a_file_is_known_before_it_is_written() {
+    let rows = |count: usize| {
+        let rows: String = (0..count).map(|i| format!("  A{i}, {}, 600\n", 80.0 + i as f64 / 1e3)).collect();
+        MIXED.replace("  A1, 80, 600\n  B_2, 90, 500\n", &rows)
+    };
+    let folder = Folder::new("course-size")
+        .with("long.mech", &rows(9000))
+        .with("large.mech", &rows(200))
+        .with("q.xml", "q");
+    let run = |args: &[&str]| assur(&folder, &[&["course", "moodle", "--pose", "1"], args].concat());
+    for out in ["q.xml", "-"] {
+        let said = run(&["long.mech", "-o", out]);
+        assert_eq!((said.status, said.stdout.as_str()), (2, ""));
+        let words = said.stderr.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(words.contains("the file of 9000 rows would have"), "{words}");
+        assert!(words.contains("write `--steps none`, or `--picture none`, or at most"), "{words}");
+        assert_eq!(folder.read("q.xml"), "q");
+    }
+    let said = run(&["long.mech", "--steps", "none", "--picture", "none", "-o", "q.xml"]);
+    assert!(said.status == 2 && said.stderr.contains("write at most"), "{}", said.stderr);
+    let said = run(&["large.mech", "-o", "q.xml"]);
+    let size = folder.read("q.xml").len();
+    assert!((20_000_000..50_000_000).contains(&size), "{size}");
+    assert!(
+        said.status == 0 && said.stderr.matches("the file of questions has").count() == 1,
+        "{}",
+        said.stderr
+    );
+    let near =
+        [size - 1_000_000, size, size + 1_000_000].map(|s| format!("has {} MB", s.div_ceil(1_000_000)));
+    assert!(near.iter().any(|near| said.stderr.contains(near)), "{size}: {}", said.stderr);
+    assert_eq!(questions(&folder.read("q.xml")).len(), 200);
+    assert_eq!(run(&["large.mech", "--row", "A3"]).stderr, "");
+}
+
 #[test]
 fn a_problem_with_positions_has_a_heading_for_each() {
     let text = MIXED.replace("find reactions\n", "").replace("crank_angle = angle(crank) as rad, ", "");

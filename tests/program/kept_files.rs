@@ -215,6 +215,18 @@ fn a_text_without_end_is_refused() {
         let said = assur(&pump(), &args);
         assert!(said.status == 2 && said.stderr.contains("longer than 100 MB"), "{args:?}: {}", said.stderr);
     }
+    let folder = pump().with("k.csv", "row,x [mm]\n1,2\n");
+    for args in [
+        ["grade", "/dev/zero", "k.csv"],
+        ["grade", "k.csv", "/dev/zero"],
+        ["batch", "g.mech", "--variants=/dev/zero"],
+        ["course", "moodle", "--variants=/dev/zero"],
+    ] {
+        let args = [&args[..], if args[0] == "course" { &["g.mech"] } else { &[] }].concat();
+        let said = assur(&folder, &args);
+        let refused = ["longer than 100 MB", "is not a file"].iter().any(|says| said.stderr.contains(says));
+        assert!(said.status == 2 && refused, "{args:?}: {}", said.stderr);
+    }
     let said = assur(&pump(), &["preview", "/dev/zero"]);
     assert!(said.status == 2 && said.stderr.contains("follows one file"), "{}", said.stderr);
 }
@@ -294,6 +306,28 @@ fn what_is_there_is_replaced_by_something_complete_alone() {
     assert!(said.status == 1 && folder.read("old.csv") == "old\n", "{}", said.stderr);
 }
 
+/// A file of questions is there as a whole or not at all.
+#[cfg(unix)]
+#[test]
+fn a_course_that_is_stopped_leaves_nothing() {
+    let rows: String = (0..400).map(|i| format!("  {}\n", 90.0 + f64::from(i) / 300.0)).collect();
+    let folder = Folder::new("course-stopped")
+        .with("a.mech", &PUMP.replace("  90\n  110\n", &rows))
+        .with("out/q.xml", "q");
+    let child = run::start(&folder, &["course", "moodle", "a.mech", "--pose", "1", "-o", "out/q.xml"]);
+    let names = || std::fs::read_dir(folder.path("out")).unwrap().count();
+    let start = std::time::Instant::now();
+    // the questions come one by one, beside the file
+    while names() < 2 && start.elapsed().as_secs() < 20 {
+        std::thread::sleep(std::time::Duration::from_millis(1));
+    }
+    let sent = Command::new("kill").args(["-TERM", &child.id().to_string()]).status();
+    assert!(sent.is_ok_and(|status| status.success()));
+    let said = run::end(child);
+    assert_eq!((said.status, names(), folder.read("out/q.xml").as_str()), (143, 1, "q"), "{}", said.stderr);
+    assert!(said.stderr.ends_with("interrupted: 0 of 1 files written\n"), "{}", said.stderr);
+}
+
 /// A signal leaves no temporary file and no half file, and what is written is counted.
 #[test]
 fn a_signal_leaves_no_temporary_file() {
@@ -313,8 +347,12 @@ fn a_signal_leaves_no_temporary_file() {
                 " of 3000 files written",
             ),
             (&["draw", "in", "--all", "-o", "out"], many(60), " files written"),
-            (&["report", "in", "-o", "out"], many(60), " files written"),
-            (&["course", "prairielearn", "in", "--pose", "1", "-o", "out"], many(400), " files written"),
+            (&["report", "in", "-o", "out"], many(60), " of 60 files written"),
+            (
+                &["course", "prairielearn", "in", "--pose", "1", "-o", "out"],
+                many(400),
+                " of 400 files written",
+            ),
         ];
         for (args, folder, words) in runs {
             std::fs::create_dir(folder.path("out")).unwrap();

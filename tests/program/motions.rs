@@ -158,3 +158,18 @@ fn no_form_has_numbers_for_what_friction_shares() {
     let drawn = assur(&folder, &["draw", "a.mech", "forces", "--pose", "1"]);
     assert!(drawn.status == 1 && drawn.stderr.contains("mech::picture::no_forces"), "{}", drawn.stderr);
 }
+
+/// Errors of steps grow so that rounding alone is greater than what is wanted: finer runs are not tried for seconds.
+#[test]
+fn what_rounding_makes_vain_is_refused_early() {
+    let text = include_str!("../../examples/simulation/triad.mech")
+        .replace("stiffness 300 N", "stiffness 300000000 N");
+    let text: String =
+        text.lines().filter(|line| !line.starts_with("expect")).map(|line| format!("{line}\n")).collect();
+    let folder = Folder::new("vain").with("a.mech", &text);
+    let out = assur(&folder, &["solve", "a.mech"]);
+    assert!(out.status == 1 && out.stderr.contains("wanted was 1e-11"), "{}", out.stderr);
+    let words: Vec<&str> = out.stdout.split_whitespace().collect();
+    let spent = words.windows(2).find(|pair| pair[1] == "evaluations").unwrap()[0];
+    assert!(spent.parse::<usize>().unwrap() < 1_000_000, "{spent}");
+}

@@ -99,3 +99,41 @@ variants {
     let without = assur(&folder, &["report", "a.mech", "--per-row"]);
     assert_eq!(without.status, 2);
 }
+
+/// Friction of a contact of a line of a free link; a speed of which the square is near the greatest number.
+#[test]
+fn hard_files_have_a_page() {
+    let rubbing = "ground { E (0, 0) }\n\
+                   link rod { A (0.1 m, 0); line axis through A along 0 deg; mass 1 kg at A; inertia 1 kg*m^2 }\n\
+                   contact K: rod.axis - ground.E { friction 0.4 }\nstart rod = 180 deg\nstart rod.A = (-0.1 m, 0)\n\
+                   simulate 0.1 s\nfind angle(rod) as deg\n";
+    let fast = "ground { A (0, 0); line guide through A along 0 deg }\nlink crank A-B 100 mm\nlink rod B-C 350 mm\n\
+                link piston { C (0, 0) }\nrevolute A: ground - crank\nrevolute B: crank - rod\n\
+                revolute C: rod - piston\nprismatic D: piston.C - ground.guide { friction 0.2 }\n\
+                drive crank = 30 deg at 1e99 rad/s\nassemble C ahead of B\nforce on piston at C = (-100 N, -40 N)\n\
+                balance torque Mb on crank\nfind Mb, T = friction(D, piston)\n";
+    let folder = Folder::new("report-hard").with("a.mech", rubbing).with("b.mech", fast);
+    for file in ["a.mech", "b.mech"] {
+        for out in [&["--format", "text"][..], &["--format", "html"]] {
+            let said = assur(&folder, &[&["report", file], out].concat());
+            assert_eq!(said.status, 0, "{file}: {}", said.stderr);
+            assert!(!said.stdout.contains("inf ") && !said.stdout.contains("NaN"), "{file}: {}", said.stdout);
+        }
+    }
+    let page = assur(&folder, &["report", "b.mech"]).stdout;
+    assert!(page.contains("−8.6603·10¹⁹⁶ m/s²"), "{page}");
+}
+
+/// A guide bears a couple, and the table of results has it as `solve` does.
+#[test]
+fn results_have_the_couple_of_a_guide() {
+    let text = "link 1 crank { A (0, 0) }\nlink 2 slider { A (0, 0) }\n\
+                link 3 bar { C (0, 0); D (0, 30 mm); line slot through D along 0 deg }\nlink 4 arm { C (0, 0) }\n\
+                revolute A: crank - slider\nrevolute C: arm - bar\nprismatic s: slider.A - bar.slot\n\
+                drive crank.A = 280 mm @ 60 deg + 30 mm @ 150 deg\ndrive arm.C = (0, 0)\nassemble s > 0\n\
+                torque on slider = 1.5 N*m cw\ntorque on bar = 25 N*m cw\nfind reactions\n";
+    let folder = Folder::new("report-couple").with("a.mech", text);
+    let page = assur(&folder, &["report", "a.mech", "--format", "markdown"]).stdout;
+    let row = page.lines().find(|line| line.contains("couple in s on link 3")).unwrap_or(&page);
+    assert!(row.contains("| −1.5 | N·m |"), "{row}");
+}

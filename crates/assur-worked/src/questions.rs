@@ -57,6 +57,13 @@ pub fn question_of_reaction(mechanism: &Mechanism, pair: PairId, on: LinkId, lan
     asking.say(QuestionMessage::Reaction, &[asking.pair(pair), asking.link(on)])
 }
 
+/// Which couple of a pair acts on a link.
+#[must_use]
+pub fn question_of_couple(mechanism: &Mechanism, pair: PairId, on: LinkId, language: Language) -> Line {
+    let asking = Asking { mechanism, language };
+    asking.say(QuestionMessage::Moment, &[asking.pair(pair), asking.link(on)])
+}
+
 struct Asking<'a> {
     mechanism: &'a Mechanism,
     language: Language,

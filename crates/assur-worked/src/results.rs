@@ -2,11 +2,11 @@
 
 use crate::course::Derivation;
 use crate::document::{Inline, Line, Table, text};
-use crate::questions::{question, question_of_reaction};
+use crate::questions::{question, question_of_couple, question_of_reaction};
 use crate::words::{Message, RunMessage, phrase};
-use assur_formula::{Node, Quantity, Unit, name_node, unit_words};
+use assur_formula::{Expr, Node, Quantity, Unit, name_node, unit_words};
 use assur_math::math::{SAME, Vec2};
-use assur_model::model::{Display, FindKind, PairId, PairKind, Value};
+use assur_model::model::{Display, FindKind, LinkId, PairId, PairKind, Value};
 use assur_text::units::{Dimension, significant};
 
 const DIGITS: usize = 5;
@@ -57,6 +57,7 @@ impl Derivation<'_> {
                     let letters = vec![Inline::Math(letters)];
                     let asked = question_of_reaction(mechanism, PairId::at(i), *on, self.language);
                     self.row(&mut table, asked, letters, Value::Vector(force), &display);
+                    self.couple(&mut table, PairId::at(i), *on);
                 }
             }
         }
@@ -66,6 +67,21 @@ impl Derivation<'_> {
             table.numbers = vec![1];
         }
         self.table(table);
+    }
+
+    /// The couple of a guide or a weld on a link, where it is determined.
+    fn couple(&self, table: &mut Table, pair: PairId, on: LinkId) {
+        let (view, mechanism) = (self.scene.view(), self.scene.mechanism());
+        let value = view.moment(pair, on);
+        let kind = &mechanism.pair(pair).kind;
+        if !matches!(kind, PairKind::Prismatic(_) | PairKind::Weld { .. }) || !value.is_finite() {
+            return;
+        }
+        let is_it = |x: &Expr| (x.value().abs() - value.abs()).abs() <= SAME * value.abs();
+        let found = self.couples_of(pair).into_iter().find(|name| self.found.get(name).is_some_and(is_it));
+        let letters = found.map(|name| Inline::Math(name_node(&name))).into_iter().collect();
+        let asked = question_of_couple(mechanism, pair, on, self.language);
+        self.row(table, asked, letters, Value::Scalar(value), &mechanism.display_of(Dimension::TORQUE));
     }
 
     /// The letters of a number that needs no position, as the sections on cycles, cams, flywheels and gears have it.

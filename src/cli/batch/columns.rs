@@ -18,7 +18,7 @@ pub type Header = text::Table<Cursor<Vec<u8>>>;
 
 /// Opens a table of columns.
 pub fn open(name: &str) -> Result<Reader, CliError> {
-    let file = File::open(name).map_err(|error| super::job::unread(name, &error))?;
+    let file = File::open(name).map_err(|error| crate::cli::files::unread_table(name, &error))?;
     assur_arrow::open(file).map_err(|error| unreadable(name, &error))
 }
 

@@ -1,13 +1,12 @@
 //! One file of a batch with its rows.
 
-use std::fs::File;
-use std::io::BufReader;
+use std::path::Path;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use super::super::args::{Format, ending};
 use super::super::error::CliError;
-use super::super::files::missing;
+use super::super::files;
 use super::super::reply::Status;
 use super::super::screen::Screen;
 use super::super::stop;
@@ -57,23 +56,14 @@ pub struct Job {
     pub(super) digits: bool,
 }
 
-type Csv = Table<BufReader<File>>;
+type Csv = Table<files::TableReader>;
 /// Processes a chunk of rows, with their total number if it is known; returns whether to continue.
 pub type Work<'a> = dyn FnMut(&Chunk<'_>, Option<usize>) -> Result<bool, CliError> + 'a;
 
 /// Opens a table and reads its header.
 pub fn open_table(name: &str) -> Result<Result<Csv, Fault>, CliError> {
-    let fail = |error: std::io::Error| unread(name, &error);
-    let file = File::open(name).map_err(fail)?;
-    Table::open(name, BufReader::with_capacity(BUFFER, file)).map_err(fail)
-}
-
-/// A table that cannot be read.
-pub fn unread(name: &str, error: &std::io::Error) -> CliError {
-    match error.kind() {
-        std::io::ErrorKind::NotFound => missing(name),
-        _ => CliError::Unreadable { name: name.to_owned(), why: error.to_string() },
-    }
+    let reader = files::table(name, BUFFER)?;
+    Table::open(name, reader).map_err(|error| files::unread_table(name, &error))
 }
 
 /// Says what is wrong with one text.
@@ -273,9 +263,7 @@ impl Job {
                 let mut lines = Lines::default();
                 loop {
                     let started = Instant::now();
-                    let why =
-                        |e: std::io::Error| CliError::Unreadable { name: name.clone(), why: e.to_string() };
-                    table.lines(size, &mut lines).map_err(why)?;
+                    table.lines(size, &mut lines).map_err(|error| files::unread_table(name, &error))?;
                     if lines.is_empty() {
                         return Ok(());
                     }
@@ -351,6 +339,9 @@ fn outer(
             let wrong = columns.as_ref().and_then(|c| columns::wrong_kind(&table.header, &reader, c));
             wrong.map_or_else(|| Ok((Rows::Columns(name.to_owned()), columns)), Err)
         }));
+    }
+    if Path::new(name).exists() && !Path::new(name).is_file() {
+        return Err(CliError::ReadTwice { name: name.to_owned() });
     }
     Ok(open_table(name)?.map(|table| {
         let (columns, problems) = check::columns(document, overrides, &table.columns);

@@ -11,7 +11,7 @@ use crate::report::rows::{FULL, write_text};
 const READABLE: usize = 6;
 
 /// The columns of a batch.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Layout {
     headers: Vec<String>,
     /// Several files: each line begins with its file, and its cells are put below the headers.
@@ -90,12 +90,11 @@ impl Layout {
 
     /// Lines as a page to read.
     pub fn table(&self, lines: &str, title: &str, page: Page) -> String {
-        let words = |h: &String| matches!(h.as_str(), "file" | "row" | "variant" | "pose" | EVENT | ERROR);
+        let words = |h: &String| matches!(h.as_str(), "row" | "variant" | "pose" | EVENT | ERROR);
         let column =
             |h: &String| if words(h) { Column::words(h.as_str()) } else { Column::numbers(h.as_str()) };
         let mut table = Table::new(self.headers.iter().map(column).collect(), 0);
-        table.keys =
-            self.headers.iter().take_while(|h| matches!(h.as_str(), "file" | "row" | "variant")).count();
+        table.keys = self.headers.iter().take_while(|h| matches!(h.as_str(), "row" | "variant")).count();
         for line in lines.split_terminator(LINE_END) {
             let found = cells(line, Separator::Comma).unwrap_or_default();
             table.row(found.into_iter().map(|c| from_cell(&c.text).to_owned()).collect());

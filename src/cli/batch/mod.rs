@@ -10,6 +10,7 @@ mod piece;
 mod rows;
 mod run;
 
+use std::borrow::Cow;
 use std::path::Path;
 
 use super::args::{Batch, Format};
@@ -62,8 +63,8 @@ fn all(args: &Batch, screen: &Screen) -> Result<Status, CliError> {
             Ok(Ok(job)) => jobs.push(job),
             Ok(Err(found)) => status = status.max(found),
             Err(error) => {
+                status = status.max(Status::after(&error));
                 screen.complain(&complaint(error, screen));
-                status = Status::Unusable;
             }
         }
     }
@@ -80,7 +81,9 @@ fn all(args: &Batch, screen: &Screen) -> Result<Status, CliError> {
     let all = status != Status::Unusable;
     // columns are filled line by line as comma-separated values are
     let format = if args.format().is_columns() { Format::Csv } else { args.format() };
-    let layout = Layout::of(&jobs, format);
+    // pages to read have a table per file below its name
+    let own = |job| Layout::of(std::slice::from_ref(job), format);
+    let layout = (!format.is_read()).then(|| Layout::of(&jobs, format));
     let key = Layout::of_key(&jobs);
     let mut out = Out::of(args, &jobs)?;
     let columns = out.takes_columns();
@@ -88,20 +91,24 @@ fn all(args: &Batch, screen: &Screen) -> Result<Status, CliError> {
         Some(path) => Some(Sink::file(Path::new(path))?),
         None => None,
     };
-    if format == Format::Csv && !columns {
+    if let Some(layout) = layout.as_ref().filter(|_| format == Format::Csv && !columns) {
         out.write(layout.header())?;
     }
     if let Some(sink) = &mut key_out {
         sink.write(key.header())?;
     }
     let mut total = Tally::default();
-    for job in &jobs {
+    for (i, job) in jobs.iter().enumerate() {
+        if i > 0 && format.is_read() {
+            out.write(format.apart())?;
+        }
         if let Some(table) = job.left_out.clone().filter(|_| !matches!(format, Format::Json | Format::Jsonl))
         {
             screen.complain(&complaint(table, screen));
         }
-        let run =
-            Run { job, format, layout: &layout, key: key_out.is_some().then_some(&key), columns, screen };
+        let layout = layout.as_ref().map_or_else(|| Cow::Owned(own(job)), Cow::Borrowed);
+        let key = key_out.is_some().then_some(&key);
+        let run = Run { job, format, layout: &layout, key, columns, screen };
         let tally = run.all(&mut out, &mut key_out)?;
         screen.complain(&format!("{}: {}\n", shown_in_line(&job.source.name), tally.summary()));
         total.add(&tally);

@@ -57,9 +57,7 @@ impl<'r> Run<'r> {
                     all.append(piece);
                 }
                 let lines = match (&places, self.format) {
-                    (Some(places), format) if format.is_read() || format == Format::Csv => {
-                        self.layout.placed(&piece.out, places, name)
-                    }
+                    (Some(places), Format::Csv) => self.layout.placed(&piece.out, places, name),
                     _ => piece.out,
                 };
                 if self.format.is_read() {

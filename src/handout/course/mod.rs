@@ -7,7 +7,7 @@ mod prairielearn;
 mod units;
 mod uuid;
 
-pub use moodle::{Chapter, Moodle, Picture, Question, checked_credit, page};
+pub use moodle::{Chapter, Moodle, Page, Picture, Question, checked_credit};
 pub use prairielearn::{Called, Part as FilePart, PrairieLearn, Variant, question};
 use units::accepted;
 

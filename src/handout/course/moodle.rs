@@ -70,32 +70,48 @@ pub struct Chapter<'a> {
     pub questions: &'a [(String, Question)],
 }
 
-/// A file of all questions, each problem in its category; none where there are no questions. Chapters of one file follow one another.
-///
-/// # Errors
-/// Two questions of a problem have one id: Moodle would drop it without a word.
-pub fn page<'a>(
-    name: &str,
-    chapters: impl IntoIterator<Item = Chapter<'a>>,
-) -> Result<Option<String>, CourseError> {
-    let mut text = String::new();
-    let mut ids = BTreeSet::new();
-    let mut last = None;
-    for Chapter { file, title, questions } in chapters {
-        if last != Some(file) {
-            text += &category(name, title, file);
-            ids.clear();
-            last = Some(file);
+/// A file of questions, each problem in its category, that is written piece by piece. Chapters of one file follow one another.
+#[derive(Debug)]
+pub struct Page<'a> {
+    name: &'a str,
+    /// The problem under way, and the ids of its questions.
+    file: Option<String>,
+    ids: BTreeSet<String>,
+}
+
+impl<'a> Page<'a> {
+    /// Without questions, below a category.
+    #[must_use]
+    pub const fn new(name: &'a str) -> Self {
+        Self { name, file: None, ids: BTreeSet::new() }
+    }
+
+    /// The text of more questions.
+    ///
+    /// # Errors
+    /// Two questions of a problem have one id: Moodle would drop it without a word.
+    pub fn add(&mut self, Chapter { file, title, questions }: Chapter<'_>) -> Result<String, CourseError> {
+        let begin = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<quiz>\n";
+        let mut text = if self.file.is_none() { begin.to_owned() } else { String::new() };
+        if self.file.as_deref() != Some(file) {
+            text += &category(self.name, title, file);
+            self.ids.clear();
+            self.file = Some(file.to_owned());
         }
         for (row, question) in questions {
-            if !ids.insert(&question.id) {
-                return Err(CourseError::SameIdNumber { row: row.clone(), category: name.to_owned() });
+            if !self.ids.insert(question.id.clone()) {
+                return Err(CourseError::SameIdNumber { row: row.clone(), category: self.name.to_owned() });
             }
             text += &question.xml;
         }
+        Ok(text)
     }
-    let page = || format!("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<quiz>\n{text}</quiz>\n");
-    Ok((!text.is_empty()).then(page))
+
+    /// What ends it; none where it has no questions.
+    #[must_use]
+    pub const fn end(&self) -> Option<&'static str> {
+        if self.file.is_some() { Some("</quiz>\n") } else { None }
+    }
 }
 
 /// A step into a category, which is made where it is not there. A stroke in a title is no step.

@@ -331,6 +331,28 @@ fn turned(value: Expr, load: &Load) -> Expr {
     }
 }
 
+/// The line that means the same as a load in a pair against its motion.
+fn between(cx: &Context<'_>, load: &Load, (pair, moves): (PairId, Moves)) -> String {
+    let mechanism = &cx.builder.mech;
+    let links = mechanism.pair(pair).kind.links();
+    let name = load.name.as_ref().map_or_else(|| "F".to_owned(), |name| name.node.clone());
+    let value = written(&load.value.value).unwrap_or_else(|| "…".into());
+    let moving: Vec<&str> = links
+        .iter()
+        .filter(|id| **id != LinkId::GROUND)
+        .map(|id| mechanism.link(*id).name.as_str())
+        .collect();
+    match (moves, moving.as_slice()) {
+        (Moves::Turning, [link]) => format!("write `torque {name} on {link} = {value} against motion`"),
+        (Moves::Turning, [a, b]) => {
+            format!("write `clutch {name}: {a} - {b} {{ capacity {value}; slipping }}`")
+        }
+        (_, [link]) => format!("write `force {name} on {link} at … = {value} against motion`"),
+        _ => "friction between two sliders is `friction` of their pair; no other load between them is against motion"
+            .to_owned(),
+    }
+}
+
 fn in_pair(cx: &mut Context<'_>, load: &Load, pair: &Name) -> Option<LoadKind> {
     let pair = effort(
         cx,
@@ -340,7 +362,8 @@ fn in_pair(cx: &mut Context<'_>, load: &Load, pair: &Name) -> Option<LoadKind> {
     );
     if let Some(against) = load.against_motion {
         let message = "a load in a pair acts along its coordinate".into();
-        form(cx, message, "write it on one of the two links, or give it a sign", against);
+        let help = between(cx, load, pair?);
+        form(cx, message, &help, against);
         return None;
     }
     if let Some(frame) = &load.frame {

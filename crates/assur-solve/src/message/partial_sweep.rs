@@ -1,6 +1,7 @@
 //! A sweep that closes over a part only.
 
 use super::format::{drive_text, rounded, short};
+use super::speeds::rates;
 use crate::model::{Expr, Positions, Value};
 use crate::position::{DriveValue, Model, turns};
 use crate::solve::{Closing, Gap};
@@ -76,5 +77,6 @@ fn closing_range(model: &Model<'_>, gaps: &[Gap]) -> Option<String> {
         (None, Some(b)) => (inwards(b, -1.0), last),
         (None, None) => return None,
     };
-    Some(format!("drive {} = {} deg .. {} deg in {steps} steps", drive.name, short(begin), short(end)))
+    let rates = rates(model.mechanism, drive);
+    Some(format!("drive {} = {} deg .. {} deg in {steps} steps{rates}", drive.name, short(begin), short(end)))
 }

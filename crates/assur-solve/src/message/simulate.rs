@@ -150,7 +150,7 @@ fn accuracy(wanted: f64, reached: f64, span: Span) -> Diagnosis {
                 "the motion is known to {} of the greatest of its kind; wanted was {wanted}",
                 power(reached)
             ),
-            format!("write `within {enough}`: the numbers have no more digits"),
+            format!("write `within {enough}`, which is reached"),
         )
     } else {
         (

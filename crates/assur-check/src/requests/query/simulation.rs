@@ -182,11 +182,27 @@ impl Context<'_> {
         let declared = self.builder.mech.pair(pair);
         if !declared.rubs() {
             let what = format!("`sticks` of `{}`, which has no friction,", declared.name);
-            let help = "add `{ friction 0.3 }` to the pair".to_owned();
+            let help = self.rubbing_between(pair);
             self.error(without_meaning(&what, &help, call.span));
             return None;
         }
         Some(Typed::new(Expr::Query(Query::In(Situation::Sticks(pair))), Type::Bool))
+    }
+
+    /// What may be asked in place of a pair without friction, of the problem as it is.
+    fn rubbing_between(&self, pair: PairId) -> String {
+        let mechanism = &self.builder.mech;
+        let links = mechanism.pair(pair).kind.links();
+        let clutch = mechanism.pairs.iter().find(|other| match &other.kind {
+            PairKind::Transmission(t) => {
+                t.slipping().is_some_and(|own| own.iter().all(|id| links.contains(id)))
+            }
+            _ => false,
+        });
+        match clutch {
+            Some(clutch) => format!("write `sticks({})`", clutch.name),
+            None => "ask it of a pair with `friction`, or of a clutch with `slipping`".to_owned(),
+        }
     }
 
     /// `work(M)`, `work(k)`

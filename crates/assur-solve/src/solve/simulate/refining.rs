@@ -25,6 +25,8 @@ const FINEST: f64 = 2e-15;
 const ROUNDING: f64 = 1e-11;
 /// After so many finer runs there in vain it is: one may be worse than the run before by chance.
 const IN_VAIN: usize = 2;
+/// After so many evaluations nothing is tried that rounding is bound to make vain.
+const MUCH: usize = 500_000;
 
 /// Runs in parts of the steps of the run before.
 #[derive(Clone, Copy)]
@@ -120,6 +122,11 @@ pub(super) fn until_kept(
             best = error.is_finite().then_some((coarse + 1, compared)).or(best);
         } else if pass.tolerance <= ROUNDING {
             in_vain += 1;
+        }
+        // errors of steps have grown at least so much, and so does rounding
+        let rounding = error / runs[coarse + 1].tolerance * f64::EPSILON;
+        if spent > MUCH && rounding > within {
+            break;
         }
         if is_rounding || in_vain == IN_VAIN || STEP.1 * FINER * runs[coarse].tolerance < 0.99 * FINEST {
             break;
