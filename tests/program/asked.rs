@@ -108,6 +108,11 @@ fn the_same_is_asked_everywhere() {
                 // beside positions of events a table has two lines
                 of_key.iter_mut().chain(&mut of_all).for_each(|(_, pose)| pose.clear());
             }
+            // a key has a word for the instant at which an event ends the motion
+            for (row, pose) in of_key.iter_mut().filter(|(_, pose)| pose == "end") {
+                let last = of_all.iter().filter(|(own, _)| own == row).next_back();
+                *pose = last.map_or_else(String::new, |(_, pose)| pose.clone());
+            }
             // the last instant tells the period
             let tells = text.contains("period()") && of_all.len() == of_key.len() + 1;
             of_all.truncate(of_all.len() - usize::from(tells));

@@ -5,7 +5,8 @@ use crate::forces::quantity_name;
 use crate::sheet::printed_unit;
 use crate::words::{FunctionWords, Language, QuestionMessage, RunMessage, say};
 use assur_formula::{Expr as Formula, Function, Name, Node, Quantity, Sign, Unit, name_node};
-use assur_model::model::{DriveTarget, Mechanism, PairKind};
+use assur_math::math::SAME;
+use assur_model::model::{DriveTarget, Mechanism, PairKind, Pin};
 use assur_syntax::document::{
     Arg, BinaryOp, CompareOp, Expr, ExprKind, Number, PassingSense, Statement, UnaryOp,
 };
@@ -273,7 +274,8 @@ impl Writer<'_> {
                 };
                 let Formula::Leaf(own) = of else { return None };
                 let which = if function == "mean" { "m" } else { function };
-                let index = if own.name.sub.is_empty() { String::new() } else { format!("{},", own.name.sub) };
+                let index =
+                    if own.name.sub.is_empty() { String::new() } else { format!("{},", own.name.sub) };
                 return Some(leaf(Name { sub: index + which, ..own.name.clone() }));
             }
             _ => {}
@@ -285,6 +287,11 @@ impl Writer<'_> {
                 let drive = first()?;
                 Name::new(if self.turns(&drive) { "M" } else { "F" }, &drive)
             }
+            ("displacement" | "relative_velocity" | "relative_acceleration", Some((letter, _)))
+                if let Some(ends) = self.cylinder(args) =>
+            {
+                Name::new(if letter == "s" { "l" } else { letter }, &ends)
+            }
             ("drive", _) => {
                 let turns = self.mechanism.drives.first().is_some_and(|drive| self.turns(&drive.name));
                 Name::new(if turns { "φ" } else { "s" }, &parts()?.join(","))
@@ -294,6 +301,19 @@ impl Writer<'_> {
             (_, Some((letter, Index::Own(index)))) => Name::new(letter, index),
             (other, None) => Name::new(&other.replace('_', " "), &parts()?.join(",")),
         }))
+    }
+
+    /// The points between which a cylinder is: `GK`.
+    fn cylinder(&self, args: &[Arg]) -> Option<String> {
+        let [Arg { name: None, value }] = args else { return None };
+        let ExprKind::Name(name) = &value.kind else { return None };
+        let pair = self.mechanism.pairs.iter().find(|pair| pair.name == *name)?;
+        let PairKind::Cylinder { from, to, .. } = &pair.kind else { return None };
+        let point = |pin: &Pin| {
+            let points = &self.mechanism.link(pin.link).points;
+            points.iter().find(|point| (point.at - pin.at).norm() <= SAME).map(|point| point.name.as_str())
+        };
+        Some([point(from)?, point(to)?].concat())
     }
 
     /// Whether a drive turns what it drives.

@@ -191,11 +191,13 @@ impl Derivation<'_> {
         })
     }
 
-    /// The author's name for the centre of a profile in contact, at which the link that stands for the contact is joined.
+    /// The author's name for the centre of a profile in contact, at which the link that stands for the contact is joined, and for the points
+    /// between which a cylinder is.
     fn centre_name(&self, joint: &Joint) -> Option<String> {
         let JointKind::Revolute(members) = &joint.kind else { return None };
-        let is_contact = matches!(self.scene.mechanism().pair(joint.pair).kind, PairKind::Contact { .. });
-        members.iter().filter(|_| is_contact).find_map(|(body, at)| self.author_name(body.0, *at))
+        let kind = &self.scene.mechanism().pair(joint.pair).kind;
+        let has_points = matches!(kind, PairKind::Contact { .. } | PairKind::Cylinder { .. });
+        members.iter().filter(|_| has_points).find_map(|(body, at)| self.author_name(body.0, *at))
     }
 
     /// The point at which two profiles touch: the pair's name, unless the centre of one of them has it.
