@@ -70,7 +70,7 @@ fn places(table: &[Vec<String>], header: &str) -> Vec<(String, String)> {
     let pose = headers.iter().position(|h| h == "pose" || h.starts_with("time [")).unwrap();
     let event = place(headers, "event");
     let filled = table[1..].iter().filter(|cells| !cells[own].is_empty() && cells[row] != "turns");
-    let asked = filled.filter(|cells| event.is_none_or(|event| cells[event].is_empty()));
+    let asked = filled.filter(|cells| event.is_none_or(|event| ["", "end"].contains(&cells[event].as_str())));
     asked.map(|cells| (cells[row].clone(), cells[pose].clone())).collect()
 }
 

@@ -270,9 +270,10 @@ fn a_key_marks_itself_as_right() {
         let label = if of_batch.iter().any(|h| h == "variant") { "variant" } else { "row" };
         // the page has letters where a file has names, in the same order
         let mut names = of_batch.iter().filter(|header| is_quantity(header));
-        let columns = headers.iter().map(|header| match header.as_str() {
-            "Variant" => label.to_owned(),
-            "Position" => "pose".to_owned(),
+        let lead = headers.len() - names.clone().count();
+        let columns = (0..headers.len()).map(|i| match i {
+            0 => label.to_owned(),
+            1 if lead == 2 => "pose".to_owned(),
             _ => format!("\"{}\"", names.next().expect("a column of the key")),
         });
         let mut answers = columns.collect::<Vec<_>>().join(";") + "\n";
