@@ -317,7 +317,17 @@ impl<'a> Sheets<'a> {
             return Ok(None);
         }
         let file = (self.handout.source.name.as_str(), self.handout.source.text.as_str());
-        let scene = Scene::of(solved.compiled.model(), &solved.solution, file, self.handout.pose);
+        let answers = solved.answers(PrintedDigits::READABLE);
+        let columns = AnswerColumns::of(&answers.model);
+        // the end of a motion has a name of its own
+        let own = |name: &str| columns.lines(&answers, true).find(|line| line.name() == name)?.pose;
+        let of = |name: Option<&str>| {
+            let pose = name.and_then(own).map(|pose| pose.name.as_str()).or(name);
+            Scene::of(solved.compiled.model(), &solved.solution, file, pose)
+        };
+        let all = self.handout.positions.iter().map(|name| of(Some(name)));
+        let missing = all.filter_map(Result::err).next();
+        let scene = missing.map_or_else(|| of(self.handout.pose), Err);
         scene.map(Some).map_err(|missing| problems.push(missing))
     }
 

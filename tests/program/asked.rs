@@ -131,3 +131,36 @@ fn the_same_is_asked_everywhere() {
     }
     assert!(full > share::least(100), "{full} of {seen}");
 }
+
+/// A table of three positions, and the mean of it.
+const POSITIONS: &str = "given r = 100 mm
+ground { A (0, 0) }
+link crank A-B r
+revolute A: ground - crank
+drive crank = 30 deg, 60 deg, 120 deg, 200 deg at 10 rad/s
+find v = velocity(crank.B).x, top = max(velocity(crank.B).y)
+";
+
+#[test]
+fn positions_are_chosen() {
+    let folder = Folder::new("positions").with("a.mech", POSITIONS);
+    let page = |more: &[&str]| {
+        let said = assur(&folder, &[&["report", "a.mech", "--positions", "2,4"], more].concat());
+        assert_eq!((said.status, said.stderr.as_str()), (0, ""));
+        said.stdout
+    };
+    let (sheet, key) = (page(&["--sheet"]), page(&["--key"]));
+    let lines = |page: &str, from: &str| -> Vec<String> {
+        let after = page.split_once(from).unwrap().1;
+        let first = after.lines().filter_map(|line| line.split_whitespace().next());
+        first.filter(|word| word.len() == 1).map(str::to_owned).collect()
+    };
+    assert_eq!(lines(&sheet, "\nAnswers\n"), ["2", "4"], "{sheet}");
+    // v = −r ω sin φ
+    let second = format!("{:.4}", -0.1 * 10.0 * libm::sin(60.0_f64.to_radians())).replace('-', "−");
+    assert!(key.contains(&second) && !key.contains("−0.5000"), "{key}");
+    let course = assur(&folder, &["course", "moodle", "a.mech", "--positions", "2,4", "--steps", "none"]);
+    assert_eq!(course.stdout.matches(":NM:").count(), 3, "{}", course.stderr);
+    let wrong = assur(&folder, &["report", "a.mech", "--sheet", "--positions", "2,5"]);
+    assert!(wrong.status != 0 && wrong.stderr.contains("`5`"), "{}", wrong.stderr);
+}
