@@ -170,7 +170,8 @@ fn render_table(out: &mut String, table: &Table, look: Look) {
     let widths: Vec<usize> = cells.iter().map(|c| c[0].width()).collect();
     let is_words = table.keys >= table.columns.len();
     let keys = if is_words && look.fill && used(&widths) > look.width { 1 } else { table.keys };
-    for (part, columns) in parts(&widths, keys, look.width).iter().enumerate() {
+    let parts = parts(&widths, keys, look.width);
+    for (part, columns) in parts.iter().enumerate() {
         if part > 0 {
             out.push('\n');
         }
@@ -179,7 +180,12 @@ fn render_table(out: &mut String, table: &Table, look: Look) {
         write_row(out, &cells, (columns, &own), 0);
         let rules: Vec<String> = own.iter().map(|width| "─".repeat(*width)).collect();
         line(out, &format!("{GAP}{}", rules.join(GAP)));
-        (1..=table.rows.len()).for_each(|row| write_row(out, &cells, (columns, &own), row));
+        // a line without a number in this part says nothing
+        let is_shown = |row: &usize| {
+            let numbers = columns.iter().skip(keys);
+            parts.len() == 1 || numbers.into_iter().any(|&i| !cells[i][*row].trim().is_empty())
+        };
+        (1..=table.rows.len()).filter(is_shown).for_each(|row| write_row(out, &cells, (columns, &own), row));
     }
 }
 

@@ -90,23 +90,16 @@ impl Asking<'_> {
             FindKind::Value { expr, .. } => expr,
         };
         let named = named(find, written);
-        let mut line = Vec::new();
-        let words = self.expr(expr);
-        // what is only a formula needs no letters but its name's
-        let letters = letters.filter(|_| named.is_some() || words.is_some()).map(Inline::Math);
-        if let Some(letters) = letters.filter(|l| words.as_ref().is_none_or(|words| !words.contains(l))) {
-            line.push(letters);
-            line.push(text(" – "));
+        let words = self.expr(expr).unwrap_or_else(|| {
+            let formula = formula(written, named);
+            let words = crate::asked_formula::asked(self.mechanism, &formula, self.language);
+            words.unwrap_or_else(|| vec![text(formula.replace('*', "·"))])
+        });
+        // what is only its letters needs them once
+        match letters.map(Inline::Math).filter(|letters| !words.contains(letters)) {
+            Some(letters) => [vec![letters, text(" – ")], words].concat(),
+            None => words,
         }
-        match words {
-            Some(words) => line.extend(words),
-            None => {
-                let formula = formula(written, named);
-                let words = crate::asked_formula::asked(self.mechanism, &formula, self.language);
-                line.extend(words.unwrap_or_else(|| vec![text(formula.replace('*', "·"))]));
-            }
-        }
-        line
     }
 
     /// A table: of which part of the mechanism.

@@ -95,9 +95,13 @@ impl Layout {
             |h: &String| if words(h) { Column::words(h.as_str()) } else { Column::numbers(h.as_str()) };
         let mut table = Table::new(self.headers.iter().map(column).collect(), 0);
         table.keys = self.headers.iter().take_while(|h| matches!(h.as_str(), "row" | "variant")).count();
+        let place = self.headers.iter().position(|h| h == "pose" || h.starts_with("time ["));
         for line in lines.split_terminator(LINE_END) {
             let found = cells(line, Separator::Comma).unwrap_or_default();
             table.row(found.into_iter().map(|c| from_cell(&c.text).to_owned()).collect());
+        }
+        if let Some(place) = place {
+            move_to_keys(&mut table, place);
         }
         drop_empty(&mut table);
         let section = Section { heading: "Answers".to_owned(), blocks: vec![Block::Table(table)] };
@@ -110,11 +114,23 @@ pub const EVENT: &str = "event";
 /// The header of what went wrong.
 pub const ERROR: &str = "error";
 
+/// What names a line stands in every part of a table that is too wide.
+fn move_to_keys(table: &mut Table, place: usize) {
+    let header = table.columns.remove(place);
+    table.columns.insert(table.keys, header);
+    for row in &mut table.rows {
+        let cell = row.remove(place);
+        row.insert(table.keys, cell);
+    }
+    table.keys += 1;
+}
+
 /// Columns without a cell are no help to a reader.
 fn drop_empty(table: &mut Table) {
-    for i in (table.keys..table.columns.len()).rev() {
+    for i in (0..table.columns.len()).rev() {
         if table.rows.iter().all(|row| row[i].is_empty()) {
             table.columns.remove(i);
+            table.keys -= usize::from(i < table.keys);
             table.rows.iter_mut().for_each(|row| drop(row.remove(i)));
         }
     }
