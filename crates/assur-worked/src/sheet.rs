@@ -1,17 +1,17 @@
 //! Exercise sheets without answers, and their keys.
 
-use crate::asked_formula::{letters, written_in_letters};
+use crate::asked_formula::letters;
 use crate::course::{Derivation, plain};
 use crate::document::{Block, Document, Inline, Line, Table, text};
 use crate::forces::quantity_name;
+use crate::given::Data;
 use crate::questions::{letters_of, questions};
-use crate::results::unit_of;
 use crate::words::{Language, Message, say};
-use crate::worked::{given_rows, without_empty};
-use assur_formula::{Name, Quantity, Unit, name_node};
+use crate::worked::without_empty;
+use assur_formula::{Name, name_node};
 use assur_model::model::{Find, FindKind, Mechanism, Query, Value};
 use assur_picture::Scene;
-use assur_text::units::{Dimension, lookup, significant};
+use assur_text::units::{Dimension, lookup};
 
 /// The table of all variants.
 pub struct Variants {
@@ -24,40 +24,20 @@ pub struct Variants {
     pub in_text: bool,
 }
 
-/// A given value.
-#[derive(Clone, Debug, PartialEq)]
-pub struct GivenRow {
-    pub letters: Line,
-    /// Its figures with the unit, or what it is by letters of the file.
-    pub figures: Line,
-    /// Its value in the units of equations.
-    pub value: f64,
-    pub unit: Unit,
-}
-
-impl GivenRow {
-    /// Whether it comes to a number of the file, SI.
-    fn is(&self, x: f64) -> bool {
-        is_near(self.value, if self.unit == Unit::Angle { x.to_degrees() } else { x })
-    }
-}
-
 /// A name of the file in letters, as in a text: `φ` for `phi`.
 #[must_use]
 pub fn in_letters(name: &str) -> String {
     assur_formula::text(&name_node(&quantity_name(name)))
 }
 
-/// The given values that the solution of a position uses.
+/// A letter with its index, as in a text.
 #[must_use]
-pub fn given(scene: Scene<'_>, language: Language) -> Vec<GivenRow> {
-    given_rows(scene, language, &|_| false)
+pub fn letters_in_text(name: &Name) -> String {
+    assur_formula::text(&name_node(name))
 }
 
 /// Digits of a key.
 const DIGITS: usize = 4;
-/// Digits of a given value: all that its author writes.
-const GIVEN_DIGITS: usize = 12;
 /// The most positions that a sheet has a line for.
 const MOST_LINES: usize = 37;
 /// Answers next to each other.
@@ -98,12 +78,16 @@ pub struct Exercise<'a> {
     pub written: &'a [f64],
     /// The positions that answers are asked at, by name.
     pub positions: Vec<String>,
-    /// Values that depend on the variant, and what no solution uses.
-    pub varied: &'a dyn Fn(&str) -> bool,
-    /// The given values of other rows: what differs there follows from the table of variants.
-    pub others: &'a [Vec<GivenRow>],
-    /// What the file writes with values of the table, and what that comes to, SI, here and in these rows.
-    pub formulas: &'a [(&'a str, Vec<f64>)],
+    /// Where the drives are at these positions; nothing where the table of variants has it.
+    pub drives: Vec<String>,
+    /// One of several positions is meant.
+    pub is_one_of_several: bool,
+    /// What its file says.
+    pub document: &'a assur_syntax::document::Document,
+    /// Values that the table of variants has, by name.
+    pub in_table: &'a dyn Fn(&str) -> bool,
+    /// Values that replace those of the file, by name.
+    pub replaced: &'a dyn Fn(&str) -> bool,
     /// The number and the name of its variant, where it is of one.
     pub row: Option<String>,
 }
@@ -144,7 +128,7 @@ fn table_of(Variants { columns, mut rows, drawn_for, in_text }: Variants, langua
     let mut headers: Vec<Line> = columns.iter().map(header).collect();
     for cell in rows.iter_mut().flatten() {
         if cell.parse::<f64>().is_ok() {
-            *cell = cell.replace('-', "−");
+            *cell = crate::given::digits(cell);
         }
     }
     if columns.iter().all(|(name, _)| name != "variant") {
@@ -358,85 +342,32 @@ impl Exercise<'_> {
         self.positions[..shown].iter().collect()
     }
 
-    /// The given values: those that the solution uses with the names that the file has for them, then those that it names besides.
+    /// What the file gives.
     pub(crate) fn given(&self, language: Language) -> Vec<Block> {
-        let found = |q: &Quantity| self.is_found(q);
-        let mut rows = self.scene.map_or_else(Vec::new, |scene| given_rows(scene, language, &found));
-        rows = rows.into_iter().filter_map(|row| self.as_written(row, language)).collect();
-        rows.retain(|row| !self.is_of_counterweight(row));
-        for value in self.mechanism.values.iter().filter(|v| v.given && !(self.varied)(&v.name)) {
-            let Value::Scalar(x) = value.value else { continue };
-            let letters = vec![Inline::Math(name_node(&quantity_name(&value.name)))];
-            let written = significant(value.display.of_si(x), GIVEN_DIGITS).replace('-', "−");
-            let figures = vec![text(format!("{written}{}", printed_unit(&value.display.unit)))];
-            if rows.iter().any(|row| row.letters == letters && (row.is(x) || row.figures == figures)) {
-                continue;
-            }
-            let unit = unit_of(value.display.dimension);
-            let alike = rows.iter_mut().filter(|row| row.is(x) && unit == Some(row.unit));
-            match alike.min_by_key(|row| row.figures.len()) {
-                Some(row) => {
-                    let behind = if row.figures.len() > 1 { row.figures.clone() } else { figures };
-                    row.figures = [letters, vec![text(" = ")], behind].concat();
-                }
-                None => rows.push(GivenRow { letters, figures, value: x, unit: Unit::One }),
-            }
-        }
-        let one = |GivenRow { letters, figures, .. }: GivenRow| {
-            let blank = |part: Inline| match part {
-                Inline::Text(words) => text(words.replace(' ', "\u{a0}")),
-                other => other,
-            };
-            let figures = figures.into_iter().map(blank).collect();
-            [vec![text("; ")], letters, vec![text("\u{a0}=\u{a0}")], figures].concat()
+        let positions = self.positions_without().len();
+        let asks_there = || self.asked.iter().any(|asked| self.is_question(asked) && !asked.whole);
+        let has_headings = self.drives.iter().any(|words| !words.is_empty());
+        let data = Data {
+            document: self.document,
+            mechanism: self.mechanism,
+            scene: self.scene,
+            in_table: self.in_table,
+            replaced: self.replaced,
+            figure: self.drawn().is_some(),
+            headings: positions > 1 && positions <= MOST_LINES && has_headings && asks_there(),
+            position: self.drives.first().filter(|_| self.is_one_of_several).map(String::as_str),
         };
-        let line: Line = rows.into_iter().flat_map(one).skip(1).collect();
-        if line.is_empty() { Vec::new() } else { vec![Block::Paragraph(line)] }
+        crate::given::blocks(data, language)
     }
 
-    /// A row as it is for all variants: what follows from their table by the formula of the file; nothing where the table has it, or
-    /// where it follows from other rows.
-    fn as_written(&self, row: GivenRow, language: Language) -> Option<GivenRow> {
-        let alike = |other: &'_ Vec<GivenRow>| other.iter().find(|o| o.letters == row.letters).cloned();
-        let others: Vec<Option<GivenRow>> = self.others.iter().map(alike).collect();
-        if others.iter().flatten().all(|other| other.figures == row.figures) {
-            return Some(row);
-        }
-        let comes_to = |values: &[f64], sign: f64| {
-            let rows = std::iter::once(Some(&row)).chain(others.iter().map(Option::as_ref));
-            rows.zip(values).all(|(row, x)| row.is_none_or(|row| row.is(sign * x)))
-        };
-        let find = |sign| {
-            self.formulas.iter().find(|(_, values)| comes_to(values, sign)).map(|found| (found.0, sign))
-        };
-        let (written, sign) = find(1.0).or_else(|| find(-1.0))?;
-        let words = if sign > 0.0 { written.to_owned() } else { format!("-({written})") };
-        let figures = written_in_letters(self.mechanism, &words, language)?;
-        (figures != row.letters).then_some(GivenRow { figures, ..row })
-    }
-
-    /// Whether a value of the solution is no datum but what is asked for without a position: a dead position, a length of a synthesis, the torque of
-    /// a brake.
-    fn is_found(&self, q: &Quantity) -> bool {
-        let is = |x: f64| {
-            let x = if q.unit == Unit::Angle { x.to_degrees() } else { x };
-            is_near(x.abs(), q.value.abs())
-        };
-        let is_static = |asked: &&SheetQuestion| {
-            let own = self.mechanism.finds.iter().find(|find| find.name == asked.name);
-            let queries = own.and_then(|find| asked_by(self.mechanism, find));
-            queries
-                .is_some_and(|all| all.iter().all(|query| matches!(query, Query::Dead(..) | Query::Load(_))))
-        };
-        let shows = |asked: &SheetQuestion| asked.values().into_iter().any(|x| is(x * asked.factor));
-        !self.written.iter().any(|x| is(*x)) && self.asked.iter().filter(is_static).any(shows)
+    /// The position that is drawn: not where a scheme would show the places of counterweights, which are asked for.
+    fn drawn(&self) -> Option<(Scene<'_>, Scene<'_>)> {
+        self.scene.zip(self.shown).filter(|_| self.mechanism.counterweights.is_empty())
     }
 
     /// The scheme, where it tells nothing that is asked for.
     fn scheme(&self, language: Language, variants: Option<&Variants>) -> Vec<Block> {
-        // a scheme would show where counterweights are, which is asked
-        let drawn = self.scene.zip(self.shown).filter(|_| self.mechanism.counterweights.is_empty());
-        let Some((scene, shown)) = drawn else { return Vec::new() };
+        let Some((scene, shown)) = self.drawn() else { return Vec::new() };
         let elsewhere = shown.pose.name != scene.pose.name || shown.pose.drives != scene.pose.drives;
         let senses = !elsewhere && !asks_for_motion(self.mechanism);
         let mut scheme = Derivation::new(shown, language).blank_scheme(senses);
@@ -462,7 +393,11 @@ impl Exercise<'_> {
         };
         let mut blocks = Vec::new();
         if several {
-            let rows: Vec<Vec<String>> = positions.into_iter().map(|name| vec![name.clone()]).collect();
+            let at = |(name, words): (&String, &String)| match words.as_str() {
+                "" => vec![name.clone()],
+                words => vec![format!("{name} ({words})")],
+            };
+            let rows: Vec<Vec<String>> = positions.into_iter().zip(&self.drives).map(at).collect();
             blocks.extend(forms(&[say(language, Message::Position, &[])], &headers(false), &rows));
         }
         blocks.extend(forms(&[], &headers(true), &[Vec::new()]));
@@ -501,13 +436,6 @@ impl Exercise<'_> {
             (written, line, number)
         };
         parts.iter().map(of).collect()
-    }
-
-    /// Whether a row says where a counterweight is.
-    fn is_of_counterweight(&self, row: &GivenRow) -> bool {
-        let named =
-            |letter: &str, name: &str| row.letters == [Inline::Math(name_node(&Name::new(letter, name)))];
-        self.mechanism.counterweights.iter().any(|w| ["ξ", "η"].iter().any(|letter| named(letter, &w.name)))
     }
 }
 

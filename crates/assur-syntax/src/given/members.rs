@@ -79,6 +79,9 @@ fn mass<'d>(line: &mut GivenLine<'d>, key: &str, own: &'d At, label: &str, sever
         Some(point) if several => format!("{label},{point}"),
         _ => label.to_owned(),
     };
+    // of a shape across which something is given, the mass is one per volume
+    let is_density = own.shape.as_ref().is_some_and(|shape| shape.across.is_some());
+    let key = if is_density { "mass.density" } else { key };
     line.add(one(key, &own.value).map(|datum| datum.of(index)));
     point.into_iter().for_each(|point| line.add(flag("mass.at").map(|datum| datum.called(&[point]))));
     own.shape.iter().for_each(|shape| self::shape(line, shape));

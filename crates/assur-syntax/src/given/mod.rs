@@ -5,8 +5,10 @@
 
 mod datum;
 mod kinds;
+mod level;
 mod members;
 mod reach;
+mod requests;
 mod walk;
 
 pub use datum::{Datum, GivenLine, GivenValue, Shown};

@@ -1,7 +1,7 @@
 //! What can reach an answer: by names, by level, by part of the mechanism. Numbers decide nothing here.
 
 use super::datum::{Datum, GivenLine, Shown};
-use super::kinds::GivenLevel;
+use super::level::level;
 use super::lines;
 use crate::document::{Definition, Document, Expr, ExprKind, Statement};
 use assur_text::language::Function;
@@ -21,13 +21,17 @@ pub struct Given<'d> {
 }
 
 impl<'d> Given<'d> {
-    /// The data that questions of this level can depend on.
+    /// The data that the questions of a document can depend on.
     #[must_use]
-    pub fn of(document: &'d Document, level: GivenLevel) -> Self {
+    pub fn of(document: &'d Document) -> Self {
+        let level = level(document);
         let mut all = lines(document);
         let reached = reached(document, &all);
         let is_followed = document.statements.iter().any(|s| matches!(s.node, Statement::Until(_)));
-        all.retain(|line| line.joins.is_empty() || line.joins.iter().any(|name| reached.contains(name)));
+        all.retain(|line| {
+            let asks = || line.data.iter().any(|datum| datum.shown == Shown::Question);
+            line.joins.is_empty() || asks() || line.joins.iter().any(|name| reached.contains(name))
+        });
         for line in &mut all {
             line.data.retain(|datum| datum.kind.level <= level);
             // what an event ends takes no longer
@@ -79,26 +83,31 @@ fn live<'a, 'd: 'a>(
     live
 }
 
-/// Calls `visit` on an expression and its parts.
-fn each_part<'d>(expr: &'d Expr, visit: &mut dyn FnMut(&'d Expr)) {
-    visit(expr);
+/// Calls `visit` on the parts of an expression.
+pub(super) fn direct_parts<'d>(expr: &'d Expr, visit: &mut dyn FnMut(&'d Expr)) {
     match &expr.kind {
         ExprKind::Number(_) | ExprKind::Name(_) => {}
-        ExprKind::Member(of, _) | ExprKind::Unary(_, of) => each_part(of, visit),
-        ExprKind::Call { args, .. } => args.iter().for_each(|arg| each_part(&arg.value, visit)),
+        ExprKind::Member(of, _) | ExprKind::Unary(_, of) => visit(of),
+        ExprKind::Call { args, .. } => args.iter().for_each(|arg| visit(&arg.value)),
         ExprKind::Vector(a, b) | ExprKind::Polar(a, b) | ExprKind::Power(a, b) => {
-            each_part(a, visit);
-            each_part(b, visit);
+            visit(a);
+            visit(b);
         }
         ExprKind::Chain(first, rest) => {
-            each_part(first, visit);
-            rest.iter().for_each(|(_, next)| each_part(next, visit));
+            visit(first);
+            rest.iter().for_each(|(_, next)| visit(next));
         }
         ExprKind::Compare(first, rest) => {
-            each_part(first, visit);
-            rest.iter().for_each(|(_, next)| each_part(next, visit));
+            visit(first);
+            rest.iter().for_each(|(_, next)| visit(next));
         }
     }
+}
+
+/// Calls `visit` on an expression and all its parts.
+fn each_part<'d>(expr: &'d Expr, visit: &mut dyn FnMut(&'d Expr)) {
+    visit(expr);
+    direct_parts(expr, &mut |part| each_part(part, visit));
 }
 
 /// The names in an expression, those of curves too.
@@ -128,7 +137,7 @@ fn is_of_whole(expr: &Expr) -> bool {
 }
 
 /// The names of `let`, which may join parts, and of `given`, which join nothing.
-fn definitions<'d>(document: &'d Document) -> [BTreeSet<&'d str>; 2] {
+fn definitions(document: &Document) -> [BTreeSet<&str>; 2] {
     let mut names = [BTreeSet::new(), BTreeSet::new()];
     for statement in &document.statements {
         match &statement.node {

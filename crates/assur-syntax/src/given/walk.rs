@@ -2,10 +2,10 @@
 
 use super::datum::{GivenLine, GivenValue, Shown, datum, flag, one};
 use super::members::{body, cam, is_right_angle, properties};
+use super::requests::{balanced, curve, expect, find, simulate, start, stop};
 use crate::document::{
-    AssembleClause, Balance, Balanced, CompareOp, Curve, CurveBetween, CurveBeyond, Definition, Direction,
-    Drive, End, Event, Expect, ExpectAt, Expr, Find, Joint, Link, Load, LoadKind, Path, Place, Sensed,
-    Simulate, Site, Spring, SpringSite, Start, Statement, Steady, Stop, TimeCourse, Turn, Way,
+    AssembleClause, Balance, Definition, Direction, Drive, End, Event, Expr, Joint, Link, Load, LoadKind,
+    Path, Place, Sensed, Site, Spring, SpringSite, Statement, Turn, Way,
 };
 use assur_text::source::Spanned;
 
@@ -128,7 +128,7 @@ fn subject(statement: &Statement) -> &'static str {
 }
 
 /// A value that is not under "Given".
-fn hidden<'d>(line: &mut GivenLine<'d>, value: &'d Expr, shown: Shown) {
+pub(super) fn hidden<'d>(line: &mut GivenLine<'d>, value: &'d Expr, shown: Shown) {
     let key = match shown {
         Shown::Heading => "drive.position",
         Shown::Figure => "assemble",
@@ -162,7 +162,7 @@ fn joined(from: &str, to: &str) -> String {
     if short(from) && short(to) { format!("{from}{to}") } else { format!("{from},{to}") }
 }
 
-fn written(path: &Path) -> String {
+pub(super) fn written(path: &Path) -> String {
     let tail = path.tail.as_ref().map_or_else(String::new, |tail| format!(".{}", tail.node));
     format!("{}{tail}", path.head.node)
 }
@@ -197,7 +197,7 @@ fn spring<'d>(line: &mut GivenLine<'d>, own: &'d Spring) {
 }
 
 /// A value with its sense.
-fn sensed<'d>(line: &mut GivenLine<'d>, key: &str, value: &'d Sensed, index: &str) {
+pub(super) fn sensed<'d>(line: &mut GivenLine<'d>, key: &str, value: &'d Sensed, index: &str) {
     let sense = value.sense.as_ref().map(|sense| sense.node);
     line.add(datum(key, GivenValue::One(&value.value, sense)).map(|datum| datum.of(index)));
 }
@@ -303,76 +303,4 @@ fn load<'d>(line: &mut GivenLine<'d>, own: &'d Load) {
     site(line, &own.site);
     own.against_motion.iter().for_each(|_| line.add(flag("against")));
     own.when.iter().for_each(|when| line.add(one("when", when)));
-}
-
-fn find<'d>(line: &mut GivenLine<'d>, own: &'d Find) {
-    for item in &own.items {
-        item.name.iter().for_each(|name| line.join(&name.node));
-        hidden(line, &item.value, Shown::Question);
-        item.steps.iter().for_each(|steps| hidden(line, steps, Shown::Question));
-    }
-}
-
-fn expect<'d>(line: &mut GivenLine<'d>, own: &'d Expect) {
-    let settings = match &own.at {
-        Some(ExpectAt::Settings(settings)) => settings.as_slice(),
-        Some(ExpectAt::Pose(_) | ExpectAt::Event(..)) | None => &[],
-    };
-    let values = std::iter::once(&own.what).chain(&own.values).chain(&own.within);
-    let values = values.chain(settings.iter().map(|setting| &setting.value.value));
-    values.for_each(|value| hidden(line, value, Shown::Key));
-}
-
-fn curve<'d>(line: &mut GivenLine<'d>, own: &'d Curve) {
-    line.join(&own.name.node);
-    line.add(datum("curve", GivenValue::Curve(own)).map(|datum| datum.called(&[&own.name.node])));
-    line.add(flag(match own.between {
-        Some(CurveBetween::Linear) => "curve.linear",
-        Some(CurveBetween::Smooth) | None => "curve.smooth",
-    }));
-    match own.beyond {
-        Some(CurveBeyond::Periodic) => line.add(flag("curve.periodic")),
-        Some(CurveBeyond::Held) => line.add(flag("curve.held")),
-        None => {}
-    }
-}
-
-fn start<'d>(line: &mut GivenLine<'d>, own: &'d Start) {
-    let name = written(&own.target);
-    line.named(&[&name]);
-    line.join(&own.target.head.node);
-    own.value.iter().for_each(|value| sensed(line, "start", value, &name));
-    own.rate.iter().for_each(|rate| sensed(line, "start.rate", rate, &name));
-}
-
-fn balanced<'d>(line: &mut GivenLine<'d>, own: &'d Balanced) {
-    let name = written(&own.target);
-    line.named(&[&name]);
-    line.join(&own.target.head.node);
-    own.sought.values().for_each(|value| hidden(line, value, Shown::Method));
-    own.rate.iter().for_each(|rate| sensed(line, "equilibrium.rate", rate, &name));
-}
-
-fn simulate<'d>(line: &mut GivenLine<'d>, own: &'d Simulate) {
-    match &own.course {
-        TimeCourse::Between { from: None, to } => line.add(one("simulate", to)),
-        TimeCourse::Between { from: Some(from), to } => {
-            line.add(datum("simulate", GivenValue::Several(vec![from, to])));
-        }
-        TimeCourse::Steady(Steady { .. }) => line.add(flag("steady")),
-    }
-    own.steps.iter().chain(&own.within).for_each(|value| hidden(line, value, Shown::Method));
-}
-
-fn stop<'d>(line: &mut GivenLine<'d>, own: &'d Stop) {
-    line.join(&own.pair.node);
-    let op = match own.op.node {
-        CompareOp::Less => "<",
-        CompareOp::LessOrEqual => "≤",
-        CompareOp::Greater => ">",
-        CompareOp::GreaterOrEqual => "≥",
-    };
-    let names = format!("{} {op}", own.pair.node);
-    line.add(one("stop", &own.bound).map(|datum| datum.called(&[&*names])));
-    properties(line, "stop", &own.pair.node, &own.properties);
 }
