@@ -6,17 +6,20 @@ use assur_model::model::{DriveTarget, FindKind, Mechanism, Query, Value};
 use assur_solve::solve::Pose;
 use assur_syntax::document::{Document, Expr, ExprKind, Statement};
 use assur_syntax::given::{Datum, Given, Shown, lines, names_of};
-use assur_text::units::significant;
+use assur_text::units::{Dimension, significant};
 use assur_worked::{drive_letter, letters_in_text, printed_unit};
 
 /// Digits of a drive.
 const DIGITS: usize = 6;
 
-/// `φ_1 = 60°` of every drive whose position is not asked for.
+/// `φ_1 = 60°` of every drive whose position is not asked for; of a motion under loads its instant.
 pub(super) fn drives_at(answers: &Answers<'_>, pose: &Pose) -> String {
     let mechanism = answers.model.mechanism;
     if mechanism.simulation.is_some() {
-        return String::new();
+        let Ok(solved) = &pose.outcome else { return String::new() };
+        let display = mechanism.display_of(Dimension::TIME);
+        let figures = significant(display.of_si(solved.state.motion.time), DIGITS);
+        return format!("t = {figures}{}", printed_unit(&display.unit));
     }
     let shown = mechanism.drives.iter().zip(&pose.drives).filter_map(|(drive, value)| {
         let Some(Value::Scalar(x)) = value.value().filter(|_| !is_asked(mechanism, drive.target)) else {

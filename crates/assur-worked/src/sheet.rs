@@ -99,7 +99,7 @@ pub fn sheet(exercise: &Exercise<'_>, language: Language, variants: Option<Varia
     let heading = |message: Message| Block::Heading(2, words(message));
     let mut blocks = exercise.statement(language, variants.as_ref());
     blocks.push(heading(Message::Given));
-    blocks.extend(exercise.given(language));
+    blocks.extend(exercise.given(language, true));
     if let Some(variants) = variants {
         blocks.push(heading(Message::Variants));
         blocks.extend(table_of(variants, language));
@@ -342,8 +342,8 @@ impl Exercise<'_> {
         self.positions[..shown].iter().collect()
     }
 
-    /// What the file gives.
-    pub(crate) fn given(&self, language: Language) -> Vec<Block> {
+    /// What the file gives, with a figure or without one.
+    pub(crate) fn given(&self, language: Language, pictures: bool) -> Vec<Block> {
         let positions = self.positions_without().len();
         let asks_there = || self.asked.iter().any(|asked| self.is_question(asked) && !asked.whole);
         let has_headings = self.drives.iter().any(|words| !words.is_empty());
@@ -353,7 +353,7 @@ impl Exercise<'_> {
             scene: self.scene,
             in_table: self.in_table,
             replaced: self.replaced,
-            figure: self.drawn().is_some(),
+            figure: pictures && self.drawn().is_some(),
             headings: positions > 1 && positions <= MOST_LINES && has_headings && asks_there(),
             position: self.drives.first().filter(|_| self.is_one_of_several).map(String::as_str),
         };

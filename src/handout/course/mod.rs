@@ -144,7 +144,8 @@ impl Sheets<'_> {
 
     fn quiz(&self, made: &Made<'_>, options: QuizOptions<'_>, problems: &mut Problems) -> Option<Quiz> {
         let language = self.handout.language;
-        let GapSheet { document: mut sheet, gaps, verdicts } = gaps(made.exercise, language);
+        let GapSheet { document: mut sheet, gaps, verdicts } =
+            gaps(made.exercise, language, options.pictures);
         if !options.pictures {
             // a remark is about the picture
             sheet.blocks.retain(|block| !matches!(block, Block::Figures(_) | Block::Remark(_)));

@@ -16,8 +16,6 @@ pub struct Given<'d> {
     pub definitions: BTreeMap<&'d str, &'d Definition>,
     /// The values that those lines and the questions use, and the values of these.
     pub used: BTreeSet<&'d str>,
-    /// The values that those lines use, and the values of these.
-    pub told: BTreeSet<&'d str>,
 }
 
 impl<'d> Given<'d> {
@@ -27,29 +25,29 @@ impl<'d> Given<'d> {
         let level = level(document);
         let mut all = lines(document);
         let reached = reached(document, &all);
-        let is_followed = document.statements.iter().any(|s| matches!(s.node, Statement::Until(_)));
+        let ends = document.statements.iter().any(|s| matches!(s.node, Statement::Until(_)));
+        let has_instants = |s: &Statement| matches!(s, Statement::Simulate(run) if run.steps.is_some());
+        let is_ended = ends && !document.statements.iter().any(|s| has_instants(&s.node));
         all.retain(|line| {
             let asks = || line.data.iter().any(|datum| datum.shown == Shown::Question);
             line.joins.is_empty() || asks() || line.joins.iter().any(|name| reached.contains(name))
         });
         for line in &mut all {
             line.data.retain(|datum| datum.kind.level <= level);
-            // what an event ends takes no longer
-            line.data.retain(|datum| !(is_followed && datum.kind.key == "simulate"));
+            // what an event ends takes no longer, and has no other instants
+            line.data.retain(|datum| !(is_ended && datum.kind.key == "simulate"));
         }
         let definitions = document.statements.iter().filter_map(|s| match &s.node {
             Statement::Given(value) | Statement::Let(value) => Some((value.name.node.as_str(), value)),
             _ => None,
         });
         let definitions: BTreeMap<_, _> = definitions.collect();
-        let shown = |is: &dyn Fn(Shown) -> bool| {
-            let data = all.iter().flat_map(|line| &line.data).filter(|datum| is(datum.shown));
-            let data = data.filter(|datum| !matches!(datum.kind.key, "given" | "let"));
-            live(data, &definitions)
-        };
-        let told = shown(&|s| matches!(s, Shown::Text | Shown::Figure | Shown::Heading));
-        let used = shown(&|s| !matches!(s, Shown::Key | Shown::Method));
-        Self { lines: all, definitions, used, told }
+        let data = all.iter().flat_map(|line| &line.data);
+        let data = data.filter(|datum| {
+            !matches!(datum.shown, Shown::Key | Shown::Method) && !matches!(datum.kind.key, "given" | "let")
+        });
+        let used = live(data, &definitions);
+        Self { lines: all, definitions, used }
     }
 
     /// The names of definitions that these names follow from or are: what varies with them.
@@ -136,6 +134,16 @@ fn is_of_whole(expr: &Expr) -> bool {
     found
 }
 
+/// A question, or what its name stands for.
+fn value_of<'d>(document: &'d Document, question: &'d Expr) -> &'d Expr {
+    let ExprKind::Name(name) = &question.kind else { return question };
+    let own = document.statements.iter().find_map(|s| match &s.node {
+        Statement::Let(own) if own.name.node == *name => Some(&own.value),
+        _ => None,
+    });
+    own.unwrap_or(question)
+}
+
 /// The names of `let`, which may join parts, and of `given`, which join nothing.
 fn definitions(document: &Document) -> [BTreeSet<&str>; 2] {
     let mut names = [BTreeSet::new(), BTreeSet::new()];
@@ -160,12 +168,13 @@ fn reached<'d>(document: &'d Document, all: &[GivenLine<'d>]) -> BTreeSet<&'d st
         match &document.statements[line.statement].node {
             Statement::Find(find) => {
                 for item in &find.items {
-                    let names = names_of(&item.value);
+                    let value = value_of(document, &item.value);
+                    let names = names_of(value);
                     let known = |name: &&str| {
                         is_part(name) || givens.contains(name) || matches!(*name, "ground" | "pi")
                     };
                     let parts: Vec<&str> = names.iter().copied().filter(is_part).collect();
-                    if is_of_whole(&item.value) || parts.is_empty() || !names.iter().all(known) {
+                    if is_of_whole(value) || parts.is_empty() || !names.iter().all(known) {
                         return nodes;
                     }
                     reached.extend(parts);

@@ -17,7 +17,7 @@ use crate::words::{Language, Message, say, word, words_of};
 use assur_formula::{Name, name_node};
 use assur_model::model::Mechanism;
 use assur_picture::Scene;
-use assur_syntax::document::{Document, ExprKind, Statement};
+use assur_syntax::document::{Document, Statement};
 use assur_syntax::given::{Datum, Given, GivenLine, GivenValue, Shown};
 use letters::Letters;
 use std::collections::BTreeSet;
@@ -230,24 +230,20 @@ impl<'a> Telling<'a> {
     fn definitions(&mut self) -> Line {
         let mut told = Vec::new();
         let statements = self.data.document.statements.iter().filter_map(|s| match &s.node {
-            Statement::Given(value) => Some((value, false)),
-            Statement::Let(value) => Some((value, true)),
+            Statement::Given(value) | Statement::Let(value) => Some(value),
             _ => None,
         });
-        for (definition, is_let) in statements {
+        for definition in statements {
             let name = definition.name.node.as_str();
-            let is_datum = self.given.told.contains(name)
-                || self.given.used.contains(name) && (!is_let || numbers::has_data(&definition.value));
-            if !is_datum || self.values.seen.contains(name) || (self.data.in_table)(name) {
+            if !self.given.used.contains(name)
+                || self.values.seen.contains(name)
+                || (self.data.in_table)(name)
+            {
                 continue;
             }
             self.values.seen.insert(name);
             let letter = quantity_name(name);
             let value = self.values.of_definition(name, &definition.value);
-            let is_word = matches!(definition.value.kind, ExprKind::Compare(..));
-            if is_word || value.is_empty() {
-                continue;
-            }
             told.extend((!told.is_empty()).then(|| text("; ")));
             told.push(Inline::Math(name_node(&letter)));
             told.push(text("\u{a0}=\u{a0}"));

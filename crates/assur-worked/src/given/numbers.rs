@@ -1,11 +1,8 @@
-//! Numbers of values: their figures, and which of them are data.
+//! Numbers of values: their figures and units.
 
 use crate::sheet::printed_unit;
 use assur_syntax::document::{Definition, Expr, ExprKind, Number, UnaryOp};
 use std::collections::BTreeMap;
-
-/// Numbers of mathematics, which are no data.
-const MERE: [f64; 15] = [0.0, 1.0, 2.0, 3.0, 4.0, 6.0, 8.0, 12.0, 16.0, 32.0, 64.0, 90.0, 180.0, 360.0, 0.5];
 
 /// The side of the page that a direction is.
 pub(super) fn right_angle(direction: &Expr) -> Option<&'static str> {
@@ -54,22 +51,6 @@ pub(super) fn raised(power: &str) -> Option<String> {
         c => "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().nth(usize::try_from(c.to_digit(10)?).ok()?),
     };
     power.chars().map(digit).collect()
-}
-
-/// Whether a formula has a number that is a datum: with a unit, or none of those that mathematics alone gives.
-pub(super) fn has_data(expr: &Expr) -> bool {
-    match &expr.kind {
-        ExprKind::Number(number) => {
-            let has_unit = number.unit.as_ref().is_some_and(|unit| unit.node != "deg");
-            has_unit || !MERE.contains(&number.value)
-        }
-        ExprKind::Name(_) => false,
-        ExprKind::Member(of, _) | ExprKind::Unary(_, of) | ExprKind::Power(of, _) => has_data(of),
-        ExprKind::Call { args, .. } => args.iter().any(|arg| has_data(&arg.value)),
-        ExprKind::Vector(a, b) | ExprKind::Polar(a, b) => has_data(a) || has_data(b),
-        ExprKind::Chain(first, rest) => has_data(first) || rest.iter().any(|(_, next)| has_data(next)),
-        ExprKind::Compare(first, rest) => has_data(first) || rest.iter().any(|(_, next)| has_data(next)),
-    }
 }
 
 /// The unit of the first number of an expression, that of a definition where it is a name.
