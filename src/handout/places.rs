@@ -6,20 +6,17 @@ use assur_model::model::{DriveTarget, FindKind, Mechanism, Query, Value};
 use assur_solve::solve::Pose;
 use assur_syntax::document::{Document, Expr, ExprKind, Statement};
 use assur_syntax::given::{Datum, Given, Shown, lines, names_of};
-use assur_text::units::{Dimension, significant};
-use assur_worked::{drive_letter, letters_in_text, printed_unit};
+use assur_text::units::significant;
+use assur_worked::{Name, drive_letter, letters_in_text, printed_unit};
 
 /// Digits of a drive.
 const DIGITS: usize = 6;
 
-/// `φ_1 = 60°` of every drive whose position is not asked for; of a motion under loads its instant.
-pub(super) fn drives_at(answers: &Answers<'_>, pose: &Pose) -> String {
+/// The letter of every drive whose position is not asked for, with its value; nothing of a motion under loads.
+pub(super) fn drives_at(answers: &Answers<'_>, pose: &Pose) -> Vec<(Name, String)> {
     let mechanism = answers.model.mechanism;
     if mechanism.simulation.is_some() {
-        let Ok(solved) = &pose.outcome else { return String::new() };
-        let display = mechanism.display_of(Dimension::TIME);
-        let figures = significant(display.of_si(solved.state.motion.time), DIGITS);
-        return format!("t = {figures}{}", printed_unit(&display.unit));
+        return Vec::new();
     }
     let shown = mechanism.drives.iter().zip(&pose.drives).filter_map(|(drive, value)| {
         let Some(Value::Scalar(x)) = value.value().filter(|_| !is_asked(mechanism, drive.target)) else {
@@ -27,10 +24,15 @@ pub(super) fn drives_at(answers: &Answers<'_>, pose: &Pose) -> String {
         };
         let display = mechanism.drive_display(drive.target);
         let figures = significant(display.of_si(x), DIGITS).replace('-', "−");
-        let letter = letters_in_text(&drive_letter(mechanism, drive));
-        Some(format!("{letter} = {figures}{}", printed_unit(&display.unit)))
+        Some((drive_letter(mechanism, drive), format!("{figures}{}", printed_unit(&display.unit))))
     });
-    shown.collect::<Vec<_>>().join(", ")
+    shown.collect()
+}
+
+/// The same in words: `φ_1 = 60°`.
+pub(super) fn in_words(drives: &[(Name, String)]) -> String {
+    let one = |(letter, value): &(Name, String)| format!("{} = {value}", letters_in_text(letter));
+    drives.iter().map(one).collect::<Vec<_>>().join(", ")
 }
 
 /// Whether the coordinate of a drive is itself a question.

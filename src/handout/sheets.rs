@@ -14,7 +14,7 @@ use assur_solve::solve::Pose;
 use assur_syntax::document;
 use assur_syntax::given::Given;
 use assur_text::diagnostic::Problems;
-use assur_worked::{Document, Exercise, Variants, asks_for_positions, key, sheet};
+use assur_worked::{Document, Exercise, Name, Variants, asks_for_positions, key, sheet};
 use std::sync::Arc;
 
 /// Sheets of a file.
@@ -272,11 +272,11 @@ impl<'a> Sheets<'a> {
         answers: &Answers<'_>,
         positions: &[String],
         in_table: &dyn Fn(&str) -> bool,
-    ) -> Vec<String> {
+    ) -> Vec<Vec<(Name, String)>> {
         let varies = places::vary(&self.handout.document, in_table);
         let at = |name: &String| {
             let pose = answers.poses().find(|pose| pose.name == *name).filter(|_| !varies);
-            pose.map_or_else(String::new, |pose| places::drives_at(answers, pose))
+            pose.map_or_else(Vec::new, |pose| places::drives_at(answers, pose))
         };
         positions.iter().map(at).collect()
     }

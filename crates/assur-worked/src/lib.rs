@@ -37,6 +37,7 @@ mod worked;
 mod write;
 
 pub use asked_formula::written_in_letters;
+pub use assur_formula::Name;
 pub use course::Counts;
 pub use design::{Page, design};
 pub use document::{Block, Document, Figure, Inline, Table, Term};

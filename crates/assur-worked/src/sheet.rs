@@ -36,6 +36,15 @@ pub fn letters_in_text(name: &Name) -> String {
     assur_formula::text(&name_node(name))
 }
 
+/// `φ_1 = 60°` of drives.
+pub(crate) fn drive_words(drives: &[(Name, String)]) -> Line {
+    let one = |(i, (letter, value)): (usize, &(Name, String))| {
+        let between = if i == 0 { "" } else { ", " };
+        [text(between), Inline::Math(name_node(letter)), text(format!("\u{a0}=\u{a0}{value}"))]
+    };
+    drives.iter().enumerate().flat_map(one).collect()
+}
+
 /// Digits of a key.
 const DIGITS: usize = 4;
 /// The most positions that a sheet has a line for.
@@ -79,7 +88,7 @@ pub struct Exercise<'a> {
     /// The positions that answers are asked at, by name.
     pub positions: Vec<String>,
     /// Where the drives are at these positions; nothing where the table of variants has it.
-    pub drives: Vec<String>,
+    pub drives: Vec<Vec<(Name, String)>>,
     /// One of several positions is meant.
     pub is_one_of_several: bool,
     /// What its file says.
@@ -346,7 +355,7 @@ impl Exercise<'_> {
     pub(crate) fn given(&self, language: Language, pictures: bool) -> Vec<Block> {
         let positions = self.positions_without().len();
         let asks_there = || self.asked.iter().any(|asked| self.is_question(asked) && !asked.whole);
-        let has_headings = self.drives.iter().any(|words| !words.is_empty());
+        let has_headings = self.drives.iter().any(|drives| !drives.is_empty());
         let data = Data {
             document: self.document,
             mechanism: self.mechanism,
@@ -355,7 +364,7 @@ impl Exercise<'_> {
             replaced: self.replaced,
             figure: pictures && self.drawn().is_some(),
             headings: positions > 1 && positions <= MOST_LINES && has_headings && asks_there(),
-            position: self.drives.first().filter(|_| self.is_one_of_several).map(String::as_str),
+            position: self.drives.first().filter(|_| self.is_one_of_several).map(Vec::as_slice),
         };
         crate::given::blocks(data, language)
     }
@@ -393,15 +402,25 @@ impl Exercise<'_> {
         };
         let mut blocks = Vec::new();
         if several {
-            let at = |(name, words): (&String, &String)| match words.as_str() {
-                "" => vec![name.clone()],
-                words => vec![format!("{name} ({words})")],
-            };
-            let rows: Vec<Vec<String>> = positions.into_iter().zip(&self.drives).map(at).collect();
+            let rows: Vec<Vec<String>> = positions.into_iter().map(|name| vec![name.clone()]).collect();
             blocks.extend(forms(&[say(language, Message::Position, &[])], &headers(false), &rows));
+            blocks.iter_mut().for_each(|block| self.name_positions(block));
         }
         blocks.extend(forms(&[], &headers(true), &[Vec::new()]));
         blocks
+    }
+
+    /// Where the drives are, after the names of positions.
+    fn name_positions(&self, block: &mut Block) {
+        let Block::Form(table) = block else { return };
+        for (row, drives) in table.rows.iter_mut().zip(&self.drives).filter(|(_, drives)| !drives.is_empty())
+        {
+            if let Some(name) = row.first_mut() {
+                name.push(text(" ("));
+                name.extend(drive_words(drives));
+                name.push(text(")"));
+            }
+        }
     }
 
     /// Whether a file asks for an answer, by its name or with all others of its kind.

@@ -227,9 +227,9 @@ fn scored(
     for gap in &mut scored {
         let Some([name, words]) = &mut gap.gap.position else { continue };
         let pose = poses.iter().flatten().find(|pose| pose.name == *name);
-        let drives = pose.map_or_else(String::new, |pose| places::drives_at(made.answers, pose));
+        let drives = pose.map_or_else(Vec::new, |pose| places::drives_at(made.answers, pose));
         if !drives.is_empty() {
-            *words += &format!(" ({drives})");
+            *words += &format!(" ({})", places::in_words(&drives));
         }
     }
     Ok((scored, names))

@@ -39,7 +39,7 @@ pub struct Data<'a> {
     /// Headings name the positions.
     pub headings: bool,
     /// Where the drives are, if that is not as the file has it.
-    pub position: Option<&'a str>,
+    pub position: Option<&'a [(Name, String)]>,
 }
 
 /// The data of a file, as blocks.

@@ -2,6 +2,7 @@
 
 use super::Telling;
 use crate::document::{Inline, Line, text};
+use crate::sheet::drive_words;
 use crate::words::words_of;
 use assur_formula::{Name, name_node};
 use assur_model::model::{Drive, DriveTarget, Mechanism};
@@ -14,8 +15,8 @@ impl<'a> Telling<'a> {
     pub(super) fn positions(&mut self, lines: &[GivenLine<'a>]) -> Line {
         let mut told: Vec<Line> = Vec::new();
         let mut several = false;
-        if let Some(position) = self.data.position {
-            told.push(vec![text(position.to_owned())]);
+        if let Some(drives) = self.data.position {
+            told.extend((!drives.is_empty()).then(|| drive_words(drives)));
         } else if self.data.headings || self.is_constant() {
             return Vec::new();
         } else {
