@@ -5,6 +5,7 @@ mod answers;
 mod base64;
 pub mod course;
 mod pictures;
+mod places;
 mod published;
 mod sheets;
 mod sizes;

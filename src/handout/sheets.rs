@@ -1,20 +1,20 @@
 //! Exercise sheets and their keys.
 
-use super::texts::{following, for_all, names_a_column, numbers, used, written_with};
+use super::places;
+use super::texts::{for_all, names, names_a_column, numbers};
 use super::{Handout, KINDS};
 use crate::pipeline::{self, Compiled, Solved, VariantSolver};
 use crate::report::rows::AnswerColumns;
 use crate::report::{AnswerLine, Answers, PrintedDigits};
-use assur_check::{self as check, ColumnUse, FileRow, Overrides};
-use assur_model::model::{Level, NamedValue, Value};
+use assur_check::{self as check, FileRow, Overrides};
+use assur_model::model::{Level, Value};
 use assur_picture::Scene;
 use assur_position::plan::Effects;
 use assur_solve::solve::Pose;
-use assur_syntax::document::{self, Definition, Expr, Statement};
+use assur_syntax::document;
+use assur_syntax::given::Given;
 use assur_text::diagnostic::Problems;
-use assur_text::source::Spanned;
-use assur_worked::{Document, Exercise, GivenRow, Variants, asks_for_positions, given, key, sheet};
-use std::collections::BTreeSet;
+use assur_worked::{Document, Exercise, Name, Variants, asks_for_positions, key, sheet};
 use std::sync::Arc;
 
 /// Sheets of a file.
@@ -24,8 +24,6 @@ pub struct Sheets<'a> {
     pub rows: Vec<Row>,
     /// What is wrong in the file and in the header of its table. With errors there is no sheet.
     pub problems: Problems,
-    /// Names that are used outside of the table and of expectations.
-    used: BTreeSet<String>,
     /// Numbers that the file gives outside of expectations and tables, SI.
     written: Vec<f64>,
 }
@@ -90,8 +88,8 @@ impl<'a> Sheets<'a> {
     /// Of a file; `found` is what was wrong in its text.
     #[must_use]
     pub fn of(handout: &'a Handout<'a>, found: Problems) -> Self {
-        let (used, written) = (used(&handout.document), numbers(&handout.document));
-        let mut sheets = Self { handout, rows: Vec::new(), problems: found, used, written };
+        let written = numbers(&handout.document);
+        let mut sheets = Self { handout, rows: Vec::new(), problems: found, written };
         let overrides = &handout.overrides;
         let row = |(i, row): (usize, FileRow)| Row {
             number: i + 1,
@@ -116,8 +114,8 @@ impl<'a> Sheets<'a> {
     /// Of a file with these rows.
     #[must_use]
     pub fn of_rows(handout: &'a Handout<'a>, rows: Vec<Row>) -> Self {
-        let (used, written) = (used(&handout.document), numbers(&handout.document));
-        Self { handout, rows, problems: Problems::new(), used, written }
+        let written = numbers(&handout.document);
+        Self { handout, rows, problems: Problems::new(), written }
     }
 
     /// One sheet, with the table of all variants.
@@ -186,63 +184,6 @@ impl<'a> Sheets<'a> {
         }
     }
 
-    /// Rows that differ from the first in one column each, where that can be solved, else in more, with what is given in them: what
-    /// follows from a column differs there.
-    fn beside<'r>(&self, rows: &'r [Row]) -> Vec<(&'r str, Overrides, Vec<GivenRow>)> {
-        let Some((first, others)) = rows.split_first() else { return Vec::new() };
-        let first = &first.overrides;
-        let value = |row: &Overrides, i: usize| row.row.entries().nth(i).map_or(0.0, |(_, cell)| cell.value);
-        let entries = first.row.entries().enumerate();
-        let all = entries.filter_map(|(i, (column, cell))| {
-            let off = |row: &&Row| (value(&row.overrides, i) - cell.value).abs();
-            let is_given = column.what == ColumnUse::Given;
-            let furthest = others.iter().max_by(|a, b| off(a).total_cmp(&off(b)))?;
-            let alone = Overrides { row: first.row.with(i, &furthest.overrides.row), ..first.clone() };
-            let whole = others.iter().filter(|row| off(row) > 0.0).map(|row| row.overrides.clone());
-            let mut tried = std::iter::once(alone).chain(whole).filter(|_| is_given && off(&furthest) > 0.0);
-            let (row, given) = tried.find_map(|row| Some((row.clone(), self.given_of(&row)?)))?;
-            Some((column.name.as_str(), row, given))
-        });
-        all.collect()
-    }
-
-    fn given_of(&self, overrides: &Overrides) -> Option<Vec<GivenRow>> {
-        let compiled = self.compiled(overrides).0?;
-        let solved = pipeline::solve(pipeline::planned_to_draw(compiled, &KINDS)).0.ok()?;
-        let scene = self.scene(&solved, &mut Problems::new()).ok()??;
-        Some(given(scene, self.handout.language))
-    }
-
-    /// What the file writes with values that differ, and what it comes to in the first row and in those beside it.
-    fn formulas(
-        &self,
-        first: &Overrides,
-        beside: &[(&str, Overrides, Vec<GivenRow>)],
-    ) -> Vec<(&str, Vec<f64>)> {
-        let (source, document) = (self.handout.source, &*self.handout.document);
-        let columns = beside.iter().map(|(name, ..)| (*name).to_owned()).collect();
-        let written = written_with(document, &following(document, columns));
-        let mut with_lets = document.clone();
-        // no name of a file
-        let name = |i: usize| format!(" {i}");
-        with_lets.statements.extend(written.iter().enumerate().map(|(i, expr)| {
-            let value = Definition { name: Spanned::new(name(i), expr.span), value: (*expr).clone() };
-            Spanned::new(Statement::Let(value), expr.span)
-        }));
-        let rows = std::iter::once(first).chain(beside.iter().map(|(_, row, _)| row));
-        let values: Vec<_> = rows.filter_map(|row| Some(check::check(&with_lets, row).0?.values)).collect();
-        let of = |(i, expr): (usize, &&Expr)| {
-            let number = |values: &Vec<NamedValue>| match values.iter().find(|v| v.name == name(i))?.value {
-                Value::Scalar(x) => Some(x),
-                _ => None,
-            };
-            let text = source.text.get(expr.span.start..expr.span.end)?;
-            let numbers: Option<Vec<f64>> = values.iter().map(number).collect();
-            Some((text, numbers.filter(|numbers| numbers.len() > beside.len())?))
-        };
-        written.iter().enumerate().filter_map(of).collect()
-    }
-
     fn compiled(&self, overrides: &Overrides) -> (Option<Compiled>, Problems) {
         pipeline::compile_document(self.handout.source, &self.handout.document, Problems::new(), overrides)
     }
@@ -285,14 +226,18 @@ impl<'a> Sheets<'a> {
             });
         let table = check::table(&self.handout.document);
         let rows = if let (Of::All(rows), Some(_)) = (of, table) { rows } else { &[] };
-        let with_table = !rows.is_empty();
-        let in_table = |name: &str| table.is_some_and(|t| t.columns.iter().any(|c| c.name.node == name));
-        let varied = |name: &str| !self.is_used(name) || with_table && in_table(name);
-        let beside = self.beside(rows);
-        let formulas = rows.first().map_or_else(Vec::new, |first| self.formulas(&first.overrides, &beside));
-        let others: Vec<Vec<GivenRow>> = beside.into_iter().map(|(_, _, given)| given).collect();
+        let in_table = |name: &str| {
+            !rows.is_empty() && table.is_some_and(|t| t.columns.iter().any(|c| c.name.node == name))
+        };
+        let replaced = |name: &str| match of {
+            Of::Row(Some(row)) => row.overrides.has(name),
+            Of::Row(None) | Of::All(_) => self.handout.overrides.has(name),
+        };
         let columns = AnswerColumns::of(&answers.model);
         let lines = columns.lines_at(&answers, true, &self.handout.positions);
+        let (positions, poses): (Vec<String>, Vec<&Pose>) =
+            lines.filter_map(|line| Some((line.name().to_owned(), line.pose?))).unzip();
+        let drives = self.drives(&answers, &poses, &in_table);
         let exercise = Exercise {
             mechanism,
             file: &self.handout.source.name,
@@ -301,10 +246,12 @@ impl<'a> Sheets<'a> {
             shown,
             asked: columns.asked(&answers, AnswerLine::at(wanted)),
             hidden: Self::hidden(asking),
-            positions: lines.filter(|line| line.pose.is_some()).map(|line| line.name().to_owned()).collect(),
-            varied: &varied,
-            others: &others,
-            formulas: &formulas,
+            positions,
+            drives,
+            is_one_of_several: self.handout.pose.is_some() && solved.solution.poses.len() > 1,
+            document: &self.handout.document,
+            in_table: &in_table,
+            replaced: &replaced,
             written: &self.written,
             row: if let Of::Row(row) = of { row.map(Row::words) } else { None },
         };
@@ -329,6 +276,18 @@ impl<'a> Sheets<'a> {
         let missing = all.filter_map(Result::err).next();
         let scene = missing.map_or_else(|| of(self.handout.pose), Err);
         scene.map(Some).map_err(|missing| problems.push(missing))
+    }
+
+    /// Where the drives are at positions; nothing where that is in the table of variants.
+    fn drives(
+        &self,
+        answers: &Answers<'_>,
+        poses: &[&Pose],
+        in_table: &dyn Fn(&str) -> bool,
+    ) -> Vec<Vec<(Name, String)>> {
+        let varies = places::vary(&self.handout.document, in_table);
+        let at = |pose: &&Pose| if varies { Vec::new() } else { places::drives_at(answers, pose) };
+        poses.iter().map(at).collect()
     }
 
     /// Expected numbers, SI, each with its unit.
@@ -375,9 +334,11 @@ impl<'a> Sheets<'a> {
             asked: Vec::new(),
             hidden: Vec::new(),
             positions: Vec::new(),
-            varied: &|_| false,
-            others: &[],
-            formulas: &[],
+            drives: Vec::new(),
+            is_one_of_several: false,
+            document: &self.handout.document,
+            in_table: &|_| false,
+            replaced: &|_| false,
             written: &[],
             row: None,
         };
@@ -393,10 +354,13 @@ impl<'a> Sheets<'a> {
         solved.ok().filter(|_| !problems.has_errors())
     }
 
-    /// The table of variants without the columns that expectations alone use.
+    /// The table of variants without the columns that no answer depends on, such as those of expectations.
     fn variants(&self) -> Option<(Vec<Column>, Vec<Vec<String>>)> {
-        let table = check::table(&self.handout.document)?;
-        let used = |name: &str| self.is_used(name);
+        let document = &self.handout.document;
+        let table = check::table(document)?;
+        let given = Given::of(document);
+        let is_named = |name: &str| document.notes.iter().any(|note| names(&note.node, name));
+        let used = |name: &str| name == "variant" || given.used.contains(name) || is_named(name);
         let kept: Vec<usize> =
             (0..table.columns.len()).filter(|i| used(&table.columns[*i].name.node)).collect();
         let header = |i: &usize| {
@@ -411,10 +375,5 @@ impl<'a> Sheets<'a> {
         };
         let rows = table.rows.iter().map(cells).collect();
         Some((kept.iter().map(header).collect(), rows))
-    }
-
-    /// Whether a name is used outside of the table and of expectations.
-    fn is_used(&self, name: &str) -> bool {
-        name == "variant" || self.used.contains(name)
     }
 }

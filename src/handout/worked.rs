@@ -1,13 +1,14 @@
 //! The worked solution of a file.
 
-use super::{Handout, KINDS, sizes, tables};
+use super::{Handout, KINDS, places, sizes, tables};
 use crate::pipeline::{self, Solved};
+use crate::report::PrintedDigits;
 use assur_picture::Scene;
 use assur_solve::solve::Pose;
 use assur_syntax as syntax;
 use assur_text::diagnostic::{Diagnosis, Problems};
 use assur_text::source::Source;
-use assur_worked::{Block, Document, Figure, Inline, Language, Part, design, worked_from};
+use assur_worked::{Block, Data, Document, Figure, Inline, Language, Part, design, given, worked_from};
 
 impl Handout<'_> {
     /// The worked solution: these parts of it, or all. `found` is what was wrong in the text.
@@ -16,7 +17,9 @@ impl Handout<'_> {
         let (solved, mut problems) =
             pipeline::solve_document_drawn(self.source, &self.document, found, &self.overrides, &KINDS);
         let Some(solved) = solved else { return (None, problems) };
-        match document(self.source, &self.document, &solved, self.language, (self.pose, parts)) {
+        let replaced = |name: &str| self.overrides.has(name);
+        let at = (self.pose, parts);
+        match document_with(self.source, &self.document, &solved, self.language, at, &replaced) {
             Ok(document) => (Some(document), problems),
             Err(missing) => {
                 problems.push(missing);
@@ -35,17 +38,45 @@ pub fn document(
     read: &syntax::document::Document,
     solved: &Solved,
     language: Language,
-    (pose, parts): (Option<&str>, &[Part]),
+    at: (Option<&str>, &[Part]),
 ) -> Result<Document, Diagnosis> {
+    document_with(source, read, solved, language, at, &|_| false)
+}
+
+/// The same of a file some of whose values are replaced, by name.
+pub(super) fn document_with(
+    source: &Source,
+    read: &syntax::document::Document,
+    solved: &Solved,
+    language: Language,
+    (pose, parts): (Option<&str>, &[Part]),
+    replaced: &dyn Fn(&str) -> bool,
+) -> Result<Document, Diagnosis> {
+    let mechanism = &solved.compiled.mechanism;
+    let in_table = |_: &str| false;
+    let data = Data {
+        document: read,
+        mechanism,
+        scene: None,
+        in_table: &in_table,
+        replaced,
+        figure: !solved.solution.poses.is_empty(),
+        headings: false,
+        position: None,
+    };
     if solved.solution.poses.is_empty() && pose.is_none() {
-        return Ok(without_position(language, source, solved));
+        return Ok(without_position(language, source, solved, data));
     }
     let file = (source.name.as_str(), source.text.as_str());
     let pose = pose.or_else(|| moving(solved));
     let scene = Scene::of(solved.compiled.model(), &solved.solution, file, pose)?;
     let sizes = sizes::sizes(read, &solved.compiled.mechanism);
     let formulas = sizes::formulas(read, &solved.compiled.mechanism);
-    let mut document = worked_from(scene, language, parts, (&sizes, &formulas)).document;
+    let named = pose
+        .filter(|_| solved.solution.poses.len() > 1)
+        .map(|_| places::drives_at(&solved.answers(PrintedDigits::READABLE), scene.pose));
+    let data = Data { scene: Some(scene), position: named.as_deref(), ..data };
+    let mut document = worked_from(scene, language, parts, (&sizes, &formulas), Some(data)).document;
     if parts.is_empty() || parts.contains(&Part::Results) {
         let more = tables::blocks(source, solved, Some(&scene), language);
         document.blocks.extend(without_repeated(&document.blocks, more));
@@ -86,7 +117,7 @@ fn moving(solved: &Solved) -> Option<&str> {
 }
 
 /// Of a file without positions: its text, and the tables of its cams, gears and flywheels.
-fn without_position(language: Language, source: &Source, solved: &Solved) -> Document {
+fn without_position(language: Language, source: &Source, solved: &Solved, data: Data<'_>) -> Document {
     let mechanism = &solved.compiled.mechanism;
     let mut document = Document { language: language.code(), ..Document::default() };
     document.title = if mechanism.title.is_empty() { source.name.clone() } else { mechanism.title.clone() };
@@ -94,6 +125,7 @@ fn without_position(language: Language, source: &Source, solved: &Solved) -> Doc
     if !notes.is_empty() {
         document.blocks.push(Block::Paragraph(vec![Inline::Text(notes)]));
     }
+    document.blocks.extend(given(data, language));
     let page = design(solved.compiled.model(), &solved.solution, language);
     document.blocks.extend(page.blocks);
     document.blocks.extend(tables::blocks(source, solved, None, language).into_iter().map(

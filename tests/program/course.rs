@@ -531,8 +531,7 @@ fn a_problem_with_positions_has_a_heading_for_each() {
     let [question] = all.as_slice() else { panic!("one question") };
     let page = question.said("questiontext");
     assert!(
-        page.contains("<h5>Position 1 (crank = 50°)</h5>")
-            && page.contains("<h5>Position 2 (crank = 130°)</h5>"),
+        page.contains("<h5>Position 1 (φ_1 = 50°)</h5>") && page.contains("<h5>Position 2 (φ_1 = 130°)</h5>"),
         "{page}"
     );
     let (gaps, _) = gaps(page);

@@ -193,6 +193,8 @@ fn places(text: &str) -> Vec<&str> {
 #[test]
 fn every_language_has_every_sentence_with_its_parts() {
     let by_english = ["phrases", "pictures", "titles", "items"];
+    // their keys are those of tables
+    let by_data = ["functions", "labels", "given", "given subjects", "given words"];
     let [english, chinese, russian] = ["en", "zh", "ru"].map(rows);
     let keys = |rows: &[(String, String, String)]| -> Vec<(String, String)> {
         rows.iter().map(|(section, key, _)| (section.clone(), key.clone())).collect()
@@ -218,6 +220,6 @@ fn every_language_has_every_sentence_with_its_parts() {
         named.extend(keys.split_whitespace().map(|key| (section.to_owned(), key.to_owned())));
     }
     let written: BTreeSet<_> =
-        keys(&english).into_iter().filter(|k| k.0 != "functions" && k.0 != "labels").collect();
+        keys(&english).into_iter().filter(|k| !by_data.contains(&k.0.as_str())).collect();
     assert_eq!(named, written);
 }

@@ -18,6 +18,7 @@ mod examples;
 mod formulas;
 mod frames;
 mod friction;
+mod given;
 mod held;
 mod kept;
 mod languages;

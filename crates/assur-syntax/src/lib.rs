@@ -13,6 +13,7 @@ mod whole;
 mod words;
 
 pub mod document;
+pub mod given;
 
 pub use comma::{between_digits, readings};
 pub use confusables::skeleton;

@@ -8,7 +8,7 @@ use assur_formula::{Expr as Formula, Function, Name, Node, Quantity, Sign, Unit,
 use assur_math::math::SAME;
 use assur_model::model::{DriveTarget, Mechanism, PairKind, Pin};
 use assur_syntax::document::{
-    Arg, BinaryOp, CompareOp, Expr, ExprKind, Number, PassingSense, Statement, UnaryOp,
+    Arg, BinaryOp, CompareOp, Expr, ExprKind, Number, Passing, PassingSense, Statement, UnaryOp,
 };
 use assur_text::language::Function as Builtin;
 use assur_text::source::Source;
@@ -66,15 +66,41 @@ pub fn passing_in_letters(mechanism: &Mechanism, statement: &str, language: Lang
         _ => None,
     })?;
     let writer = Writer { mechanism, language };
-    let Some(value) = &passing.value else {
+    if passing.value.is_none() {
         return Some(say(language, RunMessage::Becomes, &[writer.condition(&passing.what)?]));
-    };
-    let line = [writer.in_letters(&passing.what)?, vec![text(" = ")], writer.in_letters(value)?].concat();
-    Some(match passing.way.map(|way| way.node) {
+    }
+    let mut found = true;
+    let line = passing_in_words(language, &passing, &mut |expr| {
+        let line = writer.in_letters(expr);
+        found &= line.is_some();
+        line.unwrap_or_default()
+    });
+    found.then_some(line)
+}
+
+/// The words of an event, with its expressions as they are set; a condition is that alone.
+pub(crate) fn passing_in_words(
+    language: Language,
+    passing: &Passing,
+    set: &mut dyn FnMut(&Expr) -> Line,
+) -> Line {
+    let Some(value) = &passing.value else { return set(&passing.what) };
+    let line = [set(&passing.what), vec![text(" = ")], set(value)].concat();
+    match passing.way.as_ref().map(|way| way.node) {
         Some(PassingSense::Rising) => say(language, RunMessage::Rises, &[line]),
         Some(PassingSense::Falling) => say(language, RunMessage::Falls, &[line]),
         None => line,
-    })
+    }
+}
+
+/// The letters of what is asked of a part of the mechanism, as in a formula; none where it has only words.
+pub(crate) fn letters_in_formula(mechanism: &Mechanism, expr: &Expr, language: Language) -> Option<Line> {
+    Writer { mechanism, language }.letters(expr)
+}
+
+/// The same in words; none where it has neither.
+pub(crate) fn words_in_formula(mechanism: &Mechanism, expr: &Expr, language: Language) -> Option<Line> {
+    Writer { mechanism, language }.words(expr)
 }
 
 struct Writer<'a> {

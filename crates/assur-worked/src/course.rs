@@ -67,8 +67,6 @@ pub struct Derivation<'a> {
     pub counts: Counts,
     /// The force polygon of the group whose forces are found: its caption.
     pub polygon: Option<String>,
-    /// What is found is set as formulas, with pictures; without it the given values are looked for alone.
-    pub shown: bool,
     /// Friction that is derived: its element, its value, the relative velocity.
     pub rubbing: Vec<(usize, Expr, Expr)>,
     /// What holds free coordinates and is found by the balances of links.
@@ -128,7 +126,6 @@ impl<'a> Derivation<'a> {
             free: FreeBodies::of(count, scene.model.plan.reactions.len()),
             counts: Counts::default(),
             polygon: None,
-            shown: true,
             rubbing: Vec::new(),
             holds: Vec::new(),
             lost: Vec::new(),
@@ -159,13 +156,13 @@ impl<'a> Derivation<'a> {
         if message.awaits_an_equation() {
             self.awaiting.push(self.blocks.len());
         }
-        let line = if self.shown { say(self.language, message, parts) } else { Line::new() };
+        let line = say(self.language, message, parts);
         self.blocks.push(Block::Paragraph(line));
     }
 
     /// A sentence that holds for all groups: it is said with the first.
     pub fn say_once(&mut self, message: impl Sentence) {
-        let line = Block::Paragraph(if self.shown { say(self.language, message, &[]) } else { Line::new() });
+        let line = Block::Paragraph(say(self.language, message, &[]));
         if !self.blocks.contains(&line) {
             self.blocks.push(line);
         }
@@ -185,7 +182,7 @@ impl<'a> Derivation<'a> {
     }
 
     pub fn remark(&mut self, message: impl Sentence, parts: &[Line]) {
-        let line = if self.shown { say(self.language, message, parts) } else { Line::new() };
+        let line = say(self.language, message, parts);
         self.blocks.push(Block::Remark(line));
     }
 
@@ -248,7 +245,7 @@ impl<'a> Derivation<'a> {
             return self.equate(name.clone(), value, unit, right);
         }
         let zero = Quantity { name: name.clone(), value: 0.0, unit, scale: 0.0, given: true, rounding: 0.0 };
-        let lines = if self.shown { stated(&zero) } else { Lines { left: Node::empty(), rows: Vec::new() } };
+        let lines = stated(&zero);
         self.blocks.push(Block::Equation(lines));
         Expr::ZERO
     }
@@ -267,7 +264,7 @@ impl<'a> Derivation<'a> {
             return value;
         }
         self.equations.push((self.blocks.len(), equation.clone()));
-        let lines = self.lines_of(&equation);
+        let lines = equation.lines();
         self.blocks.push(Block::Equation(lines));
         found
     }
@@ -281,12 +278,8 @@ impl<'a> Derivation<'a> {
             return;
         }
         self.equations.push((self.blocks.len(), equation.clone()));
-        let lines = self.lines_of(&equation);
+        let lines = equation.lines();
         self.blocks.push(Block::Equation(lines));
-    }
-
-    fn lines_of(&self, equation: &Equation) -> Lines {
-        if self.shown { equation.lines() } else { Lines { left: Node::empty(), rows: Vec::new() } }
     }
 
     /// A value that the solver states, without a derivation.
@@ -308,7 +301,7 @@ impl<'a> Derivation<'a> {
         let (scale, rounding) = (value.abs().max(large), f64::EPSILON * large);
         let q = Quantity { name: name.clone(), value, unit, scale, given: false, rounding };
         self.lines.push((self.blocks.len(), q.name.clone()));
-        let lines = if self.shown { stated(&q) } else { Lines { left: Node::empty(), rows: Vec::new() } };
+        let lines = stated(&q);
         self.blocks.push(Block::Equation(lines));
         let leaf = Expr::Leaf(Arc::new(q));
         self.found.insert(name, leaf.clone());

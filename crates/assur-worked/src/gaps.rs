@@ -30,13 +30,13 @@ pub struct GapSheet {
     pub verdicts: Vec<String>,
 }
 
-/// A sheet with gaps in place of its cells. It hides what a sheet hides.
+/// A sheet with gaps in place of its cells. It hides what a sheet hides, and tells what a figure shows where there is none.
 #[must_use]
-pub fn gaps(exercise: &Exercise<'_>, language: Language) -> GapSheet {
+pub fn gaps(exercise: &Exercise<'_>, language: Language, pictures: bool) -> GapSheet {
     let heading = |message: Message| Block::Heading(2, plain(&say(language, message, &[])));
     let mut blocks = exercise.statement(language, None);
     blocks.push(heading(Message::Given));
-    blocks.extend(exercise.given(language));
+    blocks.extend(exercise.given(language, pictures));
     blocks.push(heading(Message::Find));
     blocks.push(Block::List(questions(exercise.mechanism, exercise.text, language)));
     let is_verdict = |value: &Option<Value>| matches!(value, Some(Value::Bool(_)));

@@ -1,9 +1,9 @@
 //! Letters of links, points and pairs.
 
 use crate::course::Derivation;
-use assur_formula::{Name, Quantity, Unit};
+use assur_formula::Name;
 use assur_math::math::Vec2;
-use assur_model::model::{LinkId, LoadId, LoadKind, PairId, PairKind, Place};
+use assur_model::model::{LinkId, PairId, PairKind};
 use assur_model::structure::{BodyId, BodyOrigin, Joint, JointKind};
 use assur_picture::reaction_index;
 
@@ -81,69 +81,6 @@ impl Derivation<'_> {
         let label = self.label(body);
         let own_already = !is_taken(&point.name) || point.name.ends_with(&label);
         Some(if own_already { point.name.clone() } else { format!("{}{label}", point.name) })
-    }
-
-    /// Places of links that depend on the position, where sliders and profiles press and loads act that the file places on the ground: their
-    /// names, which nobody gave, and the coordinates that the file gives.
-    pub(crate) fn places_here(&self) -> (Vec<String>, Vec<Quantity>) {
-        let (mechanism, view) = (self.scene.mechanism(), self.scene.view());
-        let (mut names, mut given) = (Vec::new(), Vec::new());
-        let mut add = |body: usize, place: Vec2| {
-            let moved = self.moved(body);
-            let at = (place - moved.p).turned_back(moved.u);
-            let mut known = self.unnamed.borrow().clone().into_iter();
-            let is_known = known.any(|(b, p)| b == body && (p - at).norm() <= self.tiny);
-            names.extend(is_known.then(|| self.point_name(body, at)));
-            is_known
-        };
-        for (i, load) in mechanism.loads.iter().enumerate() {
-            let Some(action) = view.load_action(LoadId::at(i)) else { continue };
-            let (LoadKind::Force { at, .. } | LoadKind::ForceAgainstMotion { at, .. }) = &load.kind else {
-                continue;
-            };
-            if matches!(at, Place::Ground(_)) && add(action.on, action.at) {
-                let Name { letter, sub, .. } = self.load_letters(i, load);
-                for (axis, value) in [("x", action.at.x), ("y", action.at.y)] {
-                    let name = Name::new(axis, &format!("{letter}{sub}"));
-                    let (unit, scale) = (Unit::Length, value.abs());
-                    given.push(Quantity { name, value, unit, scale, given: true, rounding: 0.0 });
-                }
-            }
-        }
-        // places of pairs that the file gives have names
-        for action in view.all_actions() {
-            let bodies = view.pair_of(action.from).map(|_| [Some(action.on), action.by]);
-            for body in bodies.into_iter().flatten().flatten() {
-                add(body, action.at);
-            }
-        }
-        // and every other place that is none of the file's, unless several arms from it are the shape of a link
-        let unnamed = self.unnamed.borrow().clone();
-        let arms = |name: &String| {
-            let ends = |sub: &str| sub.ends_with(name.as_str()) || sub.starts_with(name.as_str());
-            self.given.borrow().keys().filter(|arm| &*arm.letter == "l" && ends(&arm.sub)).count()
-        };
-        let other = unnamed.into_iter().filter(|(body, at)| !self.is_of_file(*body, *at));
-        names.extend(other.map(|(body, at)| self.point_name(body, at)).filter(|name| arms(name) == 1));
-        (names, given)
-    }
-
-    /// Whether the file gives this place of a body: on a line, as a centre, or as that of a load.
-    fn is_of_file(&self, body: usize, at: Vec2) -> bool {
-        let mechanism = self.scene.mechanism();
-        let Some(id) = self.link(body) else { return true };
-        let link = mechanism.link(id);
-        let loads = mechanism.loads.iter().filter_map(|load| match &load.kind {
-            LoadKind::Force { on, at: Place::Local(at), .. }
-            | LoadKind::ForceAgainstMotion { on, at: Place::Local(at), .. } => (*on == id).then_some(*at),
-            _ => None,
-        });
-        let lines = link.lines.iter().map(|line| line.through);
-        let circles = link.circles.iter().map(|circle| circle.centre);
-        let cams = link.cam_profiles.iter().map(|profile| profile.centre);
-        // the origin, from which its coordinates count
-        let mut places = lines.chain(circles).chain(cams).chain(loads).chain([Vec2::zero()]);
-        places.any(|place| (place - at).norm() <= self.tiny)
     }
 
     /// A name for a place on a body that has none in the file.

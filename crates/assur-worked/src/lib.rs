@@ -14,6 +14,7 @@ mod expressions;
 mod forces;
 mod formulas;
 mod gaps;
+mod given;
 mod jerks;
 mod letters;
 mod localised;
@@ -36,17 +37,19 @@ mod worked;
 mod write;
 
 pub use asked_formula::written_in_letters;
+pub use assur_formula::Name;
 pub use course::Counts;
 pub use design::{Page, design};
 pub use document::{Block, Document, Figure, Inline, Table, Term};
 pub use forces::quantity_name;
 pub use formulas::Formula;
 pub use gaps::{Gap, GapSheet, gaps, how_to_answer, verdict, without_pictures};
+pub use given::{Data, drive_letter, given};
 pub use localised::{drawing_in, localised};
 pub use questions::question;
 pub use results::unit_of;
 pub use sheet::{
-    Exercise, GivenRow, SheetQuestion, Variants, asks_for_positions, given, in_letters, key, printed_unit,
+    Exercise, SheetQuestion, Variants, asks_for_positions, in_letters, key, letters_in_text, printed_unit,
     sheet,
 };
 pub use words::{Language, Sentence, TutorialMessage, phrase};

@@ -19,7 +19,7 @@ const LISTED: usize = 8;
 impl Derivation<'_> {
     /// The section with which the solution of a motion begins.
     pub fn overview(&mut self) {
-        if !self.shown || self.scene.mechanism().simulation.is_none() {
+        if self.scene.mechanism().simulation.is_none() {
             return;
         }
         let heading = self.words(RunMessage::Run);

@@ -67,7 +67,7 @@ impl Derivation<'_> {
         let mut options = Options::default();
         options.scheme.size = options.scheme.size * smaller;
         options.scheme.grows = smaller >= 1.0;
-        if self.shown { draw(kind, &self.scene, &options).unwrap_or_default() } else { Vec::new() }
+        draw(kind, &self.scene, &options).unwrap_or_default()
     }
 
     fn figure(

@@ -2,11 +2,11 @@
 
 use crate::course::{Derivation, plain};
 use crate::document::{Block, Figure, Inline, Line, Table, text};
-use crate::sheet::GivenRow;
+use crate::given::{self, Data};
 use crate::words::{Message, say};
 use assur_formula::{Name, Quantity, Unit, name_node};
 use assur_model::model::{PairKind, Positions};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 impl Derivation<'_> {
@@ -19,12 +19,12 @@ impl Derivation<'_> {
         self.figures(scheme);
     }
 
-    /// The given values that the equations use, each once, in the order of use.
-    pub fn given_values(&self) -> Vec<Block> {
-        let rows = self.given_rows(&|_| false, Vec::new());
-        let rows = rows.into_iter().map(|row| [row.letters, row.figures]).collect();
-        let headers = [Message::Given, Message::Value].map(|m| vec![text(self.words(m))]);
-        let mut blocks: Vec<Block> = two_abreast(headers, rows).into_iter().map(Block::Table).collect();
+    /// What the file gives, and what else the equations use, each once, in the order of use.
+    pub fn given_values(&self, data: Option<Data<'_>>) -> Vec<Block> {
+        let (mut blocks, told) = data.map_or_else(Default::default, |data| given::told(data, self.language));
+        let heading = if told.is_empty() { Message::Given } else { Message::Quantity };
+        let headers = [heading, Message::Value].map(|m| vec![text(self.words(m))]);
+        blocks.extend(two_abreast(headers, self.given_rows(&told)).into_iter().map(Block::Table));
         blocks.push(Block::Remark(say(self.language, Message::Conventions, &[])));
         blocks.extend(self.notation());
         let taken: Vec<Arc<Quantity>> =
@@ -72,17 +72,15 @@ impl Derivation<'_> {
         values
     }
 
-    /// Their values in the units of equations, letters and figures, without some of them and with more.
-    pub fn given_rows(&self, is_left_out: &dyn Fn(&Quantity) -> bool, more: Vec<Quantity>) -> Vec<GivenRow> {
-        let values = self.used_values().into_iter().filter(|q| !is_left_out(q) && !self.is_assumed(q));
-        let values = values.chain(more.into_iter().map(Arc::new));
-        let row = |q: Arc<Quantity>| {
+    /// The letters and figures of values that are not told, in the units of equations.
+    fn given_rows(&self, told: &BTreeSet<Name>) -> Vec<[Line; 2]> {
+        let row = |q: &Arc<Quantity>| {
             let unit = if q.unit == Unit::Angle { "°".to_owned() } else { format!(" {}", q.unit.text()) };
             let written = format!("{}{}", q.figures(5).text(), unit.trim_end());
-            let letters = vec![Inline::Math(name_node(&q.name))];
-            GivenRow { letters, figures: vec![text(written)], value: q.value, unit: q.unit }
+            [vec![Inline::Math(name_node(&q.name))], vec![text(written)]]
         };
-        values.map(row).collect()
+        let used = self.used_values().into_iter().filter(|q| !self.is_assumed(q) && !told.contains(&q.name));
+        used.map(|q| row(&q)).collect()
     }
 
     /// What the file has that this version states without deriving it, in one sentence each.

@@ -1,17 +1,17 @@
 //! Exercise sheets without answers, and their keys.
 
-use crate::asked_formula::{letters, written_in_letters};
+use crate::asked_formula::letters;
 use crate::course::{Derivation, plain};
 use crate::document::{Block, Document, Inline, Line, Table, text};
 use crate::forces::quantity_name;
+use crate::given::Data;
 use crate::questions::{letters_of_all, questions};
-use crate::results::unit_of;
 use crate::words::{Language, Message, say};
-use crate::worked::{given_rows, without_empty};
-use assur_formula::{Name, Node, Quantity, Unit, name_node};
+use crate::worked::without_empty;
+use assur_formula::{Name, Node, name_node};
 use assur_model::model::{Find, FindKind, Mechanism, Query, Value};
 use assur_picture::Scene;
-use assur_text::units::{Dimension, lookup, significant};
+use assur_text::units::{Dimension, lookup};
 
 /// The table of all variants.
 pub struct Variants {
@@ -24,40 +24,29 @@ pub struct Variants {
     pub in_text: bool,
 }
 
-/// A given value.
-#[derive(Clone, Debug, PartialEq)]
-pub struct GivenRow {
-    pub letters: Line,
-    /// Its figures with the unit, or what it is by letters of the file.
-    pub figures: Line,
-    /// Its value in the units of equations.
-    pub value: f64,
-    pub unit: Unit,
-}
-
-impl GivenRow {
-    /// Whether it comes to a number of the file, SI.
-    fn is(&self, x: f64) -> bool {
-        is_near(self.value, if self.unit == Unit::Angle { x.to_degrees() } else { x })
-    }
-}
-
 /// A name of the file in letters, as in a text: `φ` for `phi`.
 #[must_use]
 pub fn in_letters(name: &str) -> String {
     assur_formula::text(&name_node(&quantity_name(name)))
 }
 
-/// The given values that the solution of a position uses.
+/// A letter with its index, as in a text.
 #[must_use]
-pub fn given(scene: Scene<'_>, language: Language) -> Vec<GivenRow> {
-    given_rows(scene, language, &|_| false)
+pub fn letters_in_text(name: &Name) -> String {
+    assur_formula::text(&name_node(name))
+}
+
+/// `φ_1 = 60°` of drives.
+pub(crate) fn drive_words(drives: &[(Name, String)]) -> Line {
+    let one = |(i, (letter, value)): (usize, &(Name, String))| {
+        let between = if i == 0 { "" } else { ", " };
+        [text(between), Inline::Math(name_node(letter)), text(format!("\u{a0}=\u{a0}{value}"))]
+    };
+    drives.iter().enumerate().flat_map(one).collect()
 }
 
 /// Digits of a key.
 const DIGITS: usize = 4;
-/// Digits of a given value: all that its author writes.
-const GIVEN_DIGITS: usize = 12;
 /// Answers next to each other.
 const IN_PART: usize = 6;
 /// A number of a text is an answer where it is as near as this.
@@ -96,12 +85,16 @@ pub struct Exercise<'a> {
     pub written: &'a [f64],
     /// What needs no position is asked for once, everything else at these positions, by name.
     pub positions: Vec<String>,
-    /// Values that depend on the variant, and what no solution uses.
-    pub varied: &'a dyn Fn(&str) -> bool,
-    /// The given values of other rows: what differs there follows from the table of variants.
-    pub others: &'a [Vec<GivenRow>],
-    /// What the file writes with values of the table, and what that comes to, SI, here and in these rows.
-    pub formulas: &'a [(&'a str, Vec<f64>)],
+    /// Where the drives are at these positions; nothing where the table of variants has it.
+    pub drives: Vec<Vec<(Name, String)>>,
+    /// One of several positions is meant.
+    pub is_one_of_several: bool,
+    /// What its file says.
+    pub document: &'a assur_syntax::document::Document,
+    /// Values that the table of variants has, by name.
+    pub in_table: &'a dyn Fn(&str) -> bool,
+    /// Values that replace those of the file, by name.
+    pub replaced: &'a dyn Fn(&str) -> bool,
     /// The number and the name of its variant, where it is of one.
     pub row: Option<String>,
 }
@@ -113,7 +106,7 @@ pub fn sheet(exercise: &Exercise<'_>, language: Language, variants: Option<Varia
     let heading = |message: Message| Block::Heading(2, words(message));
     let mut blocks = exercise.statement(language, variants.as_ref());
     blocks.push(heading(Message::Given));
-    blocks.extend(exercise.given(language));
+    blocks.extend(exercise.given(language, true));
     if let Some(variants) = variants {
         blocks.push(heading(Message::Variants));
         blocks.extend(table_of(variants, language));
@@ -142,7 +135,7 @@ fn table_of(Variants { columns, mut rows, drawn_for, in_text }: Variants, langua
     let mut headers: Vec<Line> = columns.iter().map(header).collect();
     for cell in rows.iter_mut().flatten() {
         if cell.parse::<f64>().is_ok() {
-            *cell = cell.replace('-', "−");
+            *cell = crate::given::digits(cell);
         }
     }
     if columns.iter().all(|(name, _)| name != "variant") {
@@ -352,85 +345,31 @@ impl Exercise<'_> {
         at.chain([(None, asked(true))]).filter(|(_, asked)| !asked.is_empty()).collect()
     }
 
-    /// The given values: those that the solution uses with the names that the file has for them, then those that it names besides.
-    pub(crate) fn given(&self, language: Language) -> Vec<Block> {
-        let found = |q: &Quantity| self.is_found(q);
-        let mut rows = self.scene.map_or_else(Vec::new, |scene| given_rows(scene, language, &found));
-        rows = rows.into_iter().filter_map(|row| self.as_written(row, language)).collect();
-        rows.retain(|row| !self.is_of_counterweight(row));
-        for value in self.mechanism.values.iter().filter(|v| v.given && !(self.varied)(&v.name)) {
-            let Value::Scalar(x) = value.value else { continue };
-            let letters = vec![Inline::Math(name_node(&quantity_name(&value.name)))];
-            let written = significant(value.display.of_si(x), GIVEN_DIGITS).replace('-', "−");
-            let figures = vec![text(format!("{written}{}", printed_unit(&value.display.unit)))];
-            if rows.iter().any(|row| row.letters == letters && (row.is(x) || row.figures == figures)) {
-                continue;
-            }
-            let unit = unit_of(value.display.dimension);
-            let alike = rows.iter_mut().filter(|row| row.is(x) && unit == Some(row.unit));
-            match alike.min_by_key(|row| row.figures.len()) {
-                Some(row) => {
-                    let behind = if row.figures.len() > 1 { row.figures.clone() } else { figures };
-                    row.figures = [letters, vec![text(" = ")], behind].concat();
-                }
-                None => rows.push(GivenRow { letters, figures, value: x, unit: Unit::One }),
-            }
-        }
-        let one = |GivenRow { letters, figures, .. }: GivenRow| {
-            let blank = |part: Inline| match part {
-                Inline::Text(words) => text(words.replace(' ', "\u{a0}")),
-                other => other,
-            };
-            let figures = figures.into_iter().map(blank).collect();
-            [vec![text("; ")], letters, vec![text("\u{a0}=\u{a0}")], figures].concat()
+    /// What the file gives, with a figure or without one.
+    pub(crate) fn given(&self, language: Language, pictures: bool) -> Vec<Block> {
+        let several = self.positions.len() > 1 && self.asked.iter().any(|asked| !asked.whole);
+        let has_headings = self.drives.iter().any(|drives| !drives.is_empty());
+        let data = Data {
+            document: self.document,
+            mechanism: self.mechanism,
+            scene: self.scene,
+            in_table: self.in_table,
+            replaced: self.replaced,
+            figure: pictures && self.drawn().is_some(),
+            headings: several && has_headings,
+            position: self.drives.first().filter(|_| self.is_one_of_several).map(Vec::as_slice),
         };
-        let line: Line = rows.into_iter().flat_map(one).skip(1).collect();
-        if line.is_empty() { Vec::new() } else { vec![Block::Paragraph(line)] }
+        crate::given::blocks(data, language)
     }
 
-    /// A row as it is for all variants: what follows from their table by the formula of the file; nothing where the table has it, or
-    /// where it follows from other rows.
-    fn as_written(&self, row: GivenRow, language: Language) -> Option<GivenRow> {
-        let alike = |other: &'_ Vec<GivenRow>| other.iter().find(|o| o.letters == row.letters).cloned();
-        let others: Vec<Option<GivenRow>> = self.others.iter().map(alike).collect();
-        if others.iter().flatten().all(|other| other.figures == row.figures) {
-            return Some(row);
-        }
-        let comes_to = |values: &[f64], sign: f64| {
-            let rows = std::iter::once(Some(&row)).chain(others.iter().map(Option::as_ref));
-            rows.zip(values).all(|(row, x)| row.is_none_or(|row| row.is(sign * x)))
-        };
-        let find = |sign| {
-            self.formulas.iter().find(|(_, values)| comes_to(values, sign)).map(|found| (found.0, sign))
-        };
-        let (written, sign) = find(1.0).or_else(|| find(-1.0))?;
-        let words = if sign > 0.0 { written.to_owned() } else { format!("-({written})") };
-        let figures = written_in_letters(self.mechanism, &words, language)?;
-        (figures != row.letters).then_some(GivenRow { figures, ..row })
-    }
-
-    /// Whether a value of the solution is no datum but what is asked for without a position: a dead position, a length of a synthesis, the torque of
-    /// a brake.
-    fn is_found(&self, q: &Quantity) -> bool {
-        let is = |x: f64| {
-            let x = if q.unit == Unit::Angle { x.to_degrees() } else { x };
-            is_near(x.abs(), q.value.abs())
-        };
-        let is_static = |asked: &&SheetQuestion| {
-            let own = self.mechanism.finds.iter().find(|find| find.name == asked.name);
-            let queries = own.and_then(|find| asked_by(self.mechanism, find));
-            queries
-                .is_some_and(|all| all.iter().all(|query| matches!(query, Query::Dead(..) | Query::Load(_))))
-        };
-        let shows = |asked: &SheetQuestion| asked.values().into_iter().any(|x| is(x * asked.factor));
-        !self.written.iter().any(|x| is(*x)) && self.asked.iter().filter(is_static).any(shows)
+    /// The position that is drawn: not where a scheme would show the places of counterweights, which are asked for.
+    fn drawn(&self) -> Option<(Scene<'_>, Scene<'_>)> {
+        self.scene.zip(self.shown).filter(|_| self.mechanism.counterweights.is_empty())
     }
 
     /// The scheme, where it tells nothing that is asked for.
     fn scheme(&self, language: Language, variants: Option<&Variants>) -> Vec<Block> {
-        // a scheme would show where counterweights are, which is asked
-        let drawn = self.scene.zip(self.shown).filter(|_| self.mechanism.counterweights.is_empty());
-        let Some((scene, shown)) = drawn else { return Vec::new() };
+        let Some((scene, shown)) = self.drawn() else { return Vec::new() };
         let elsewhere = shown.pose.name != scene.pose.name || shown.pose.drives != scene.pose.drives;
         let senses = !elsewhere && !asks_for_motion(self.mechanism);
         let mut scheme = Derivation::new(shown, language).blank_scheme(senses);
@@ -481,11 +420,25 @@ impl Exercise<'_> {
             let rows: Vec<Vec<String>> =
                 at.iter().map(|(name, _)| name.iter().cloned().cloned().collect()).collect();
             blocks.extend(forms(&[self.position_header(language)], &headers(asked), &rows));
+            blocks.iter_mut().for_each(|block| self.name_positions(block));
         }
         for (_, asked) in whole {
             blocks.extend(forms(&[], &headers(&asked), &[Vec::new()]));
         }
         blocks
+    }
+
+    /// Where the drives are, after the names of positions.
+    fn name_positions(&self, block: &mut Block) {
+        let Block::Form(table) = block else { return };
+        for (row, drives) in table.rows.iter_mut().zip(&self.drives).filter(|(_, drives)| !drives.is_empty())
+        {
+            if let Some(name) = row.first_mut() {
+                name.push(text(" ("));
+                name.extend(drive_words(drives));
+                name.push(text(")"));
+            }
+        }
     }
 
     /// The letters of a question with its unit, by component.
@@ -522,13 +475,6 @@ impl Exercise<'_> {
             (written, line, number)
         };
         parts.iter().map(of).collect()
-    }
-
-    /// Whether a row says where a counterweight is.
-    fn is_of_counterweight(&self, row: &GivenRow) -> bool {
-        let named =
-            |letter: &str, name: &str| row.letters == [Inline::Math(name_node(&Name::new(letter, name)))];
-        self.mechanism.counterweights.iter().any(|w| ["ξ", "η"].iter().any(|letter| named(letter, &w.name)))
     }
 }
 

@@ -5,11 +5,10 @@ use crate::forces::quantity_name;
 use assur_formula::{Expr, Name, Node, Unit, letters, name_node};
 use assur_math::math::{SAME, Vec2};
 use assur_model::model::{
-    self, AlongLink, Cut, FindKind, Function, Internal, InternalPart, LoadId, ModePart, PairId, PairKind,
-    PointRef, Query, SubstitutionPart, Value,
+    self, AlongLink, Cut, Function, Internal, InternalPart, LoadId, ModePart, PairId, PairKind, PointRef,
+    Query, SubstitutionPart, Value,
 };
 use assur_text::units::significant;
-use std::collections::BTreeSet;
 
 impl Derivation<'_> {
     /// The letters of a question's answer; none where no step has them.
@@ -33,27 +32,6 @@ impl Derivation<'_> {
             },
             Value::Bool(_) => None,
         }
-    }
-
-    /// Values under "Given" that the file asks for: where a drive is, or an equilibrium. Where and how fast a motion begins is given.
-    pub(crate) fn asked_values(&mut self) -> BTreeSet<Name> {
-        let mechanism = self.scene.mechanism();
-        let begins = mechanism.simulation.as_ref().is_some_and(|run| run.steady.is_none());
-        let of_start = [Unit::Angle, Unit::Length, Unit::AngularVelocity, Unit::Velocity];
-        let mut names = BTreeSet::new();
-        for find in &mechanism.finds {
-            let FindKind::Value { expr, .. } = &find.kind else { continue };
-            let mut leaves = Vec::new();
-            if let Some(found) = self.symbol_of(expr) {
-                found.visit(&mut |q| leaves.push((q.given, q.unit, q.name.clone())));
-            }
-            if let [(true, unit, name)] = &leaves[..]
-                && !(begins && of_start.contains(unit))
-            {
-                names.insert(name.clone());
-            }
-        }
-        names
     }
 
     fn symbol_of(&mut self, of: &model::Expr) -> Option<Expr> {

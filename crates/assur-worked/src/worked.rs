@@ -3,10 +3,10 @@
 use crate::course::{Counts, Derivation};
 use crate::document::{Block, Document, Figure, cited};
 use crate::formulas::Formula;
+use crate::given::Data;
 use crate::motion::Stage;
-use crate::sheet::GivenRow;
 use crate::words::{Language, Message};
-use assur_formula::{Equation, Expr, Name, Quantity, Unit};
+use assur_formula::{Equation, Expr, Name, Unit};
 use assur_model::model::{Level, Value};
 use assur_picture::{Kind, Scene};
 use assur_solve::solve::DriveValue;
@@ -74,16 +74,17 @@ pub struct Worked {
 /// The worked solution of a position; all parts where none are named.
 #[must_use]
 pub fn worked(scene: Scene<'_>, language: Language, parts: &[Part]) -> Worked {
-    worked_from(scene, language, parts, (&[], &[]))
+    worked_from(scene, language, parts, (&[], &[]), None)
 }
 
-/// The same after the sizes that the file works out from its given values, and with its formulas of results.
+/// The same after the sizes that the file works out from its given values, with its formulas of results and the data of the file.
 #[must_use]
 pub fn worked_from(
     scene: Scene<'_>,
     language: Language,
     parts: &[Part],
     (sizes, formulas): (&[Size], &[Formula]),
+    data: Option<Data<'_>>,
 ) -> Worked {
     let mut course = Derivation::new(scene, language);
     let mut sections: Vec<(Part, usize)> = Vec::new();
@@ -111,7 +112,7 @@ pub fn worked_from(
     }
     let unused = course.prune();
     course.say_nothing_follows(&unused);
-    let given = course.given_values();
+    let given = course.given_values(data);
     let stated = course.stated_alone(&unused);
     let mut blocks = Vec::new();
     let ends = sections.iter().skip(1).map(|s| s.1).chain([course.blocks.len()]);
@@ -145,37 +146,6 @@ pub fn worked_from(
     let Derivation { equations, disagreements, counts, .. } = course;
     let equations = equations.into_iter().map(|(_, equation)| equation).collect();
     Worked { document, equations, disagreements, counts, stated }
-}
-
-/// The given values that the solution of a position uses, without those that are asked for.
-pub fn given_rows(
-    scene: Scene<'_>,
-    language: Language,
-    is_found: &dyn Fn(&Quantity) -> bool,
-) -> Vec<GivenRow> {
-    let mut course = Derivation::new(scene, language);
-    course.shown = false;
-    let with_values = |part: &Part| !matches!(part, Part::Structure | Part::Results);
-    PARTS.into_iter().filter(with_values).for_each(|part| course.part(part));
-    course.asked_besides();
-    course.prune();
-    course.equations.retain(|(_, equation)| equation.right.value().is_finite());
-    let (mut touched, places) = course.places_here();
-    // of several masses each is given, and not where their centre is
-    let links = scene.mechanism().links.iter().enumerate().filter(|(_, link)| link.mass_parts.len() > 1);
-    touched.extend(links.map(|(i, _)| format!("S{}", course.label(i))));
-    let asked = course.asked_values();
-    let is_arm = |q: &Quantity| {
-        let ends = |name: &String| q.name.sub.ends_with(name) || q.name.sub.starts_with(name);
-        matches!(&*q.name.letter, "l" | "γ") && touched.iter().any(ends)
-    };
-    // under loads an acceleration follows from them
-    let moves = scene.mechanism().simulation.is_some();
-    let follows = |q: &Quantity| {
-        let is_rate = matches!(q.unit, Unit::Acceleration | Unit::AngularAcceleration);
-        moves && is_rate && q.name.sup == "∗"
-    };
-    course.given_rows(&|q| asked.contains(&q.name) || is_found(q) || is_arm(q) || follows(q), places)
 }
 
 /// Without headings that nothing follows.

@@ -12,20 +12,18 @@ pub use prairielearn::{Called, Part as FilePart, PrairieLearn, Variant, question
 use units::accepted;
 
 use super::Sheets;
+use super::places;
 use super::sheets::{Made, Row};
-use super::worked::document;
-use crate::exercise::grade::{Entry, Piece, Quantity, Rules, Sheet, pieces, regions};
+use super::worked::document_with;
+use crate::exercise::grade::{Piece, Quantity, Rules, Sheet, pieces, regions};
 use crate::exercise::table::Fault;
 use crate::report::Answers;
 use crate::report::rows::{AnswerColumns, FULL, write_text};
-use assur_model::model::Value;
 use assur_solve::solve::Pose;
 use assur_text::diagnostic::{Problem, Problems};
 use assur_text::source::Source;
-use assur_text::units::{Unit, significant};
-use assur_worked::{
-    Block, Document, Gap, GapSheet, Language, Part, gaps, printed_unit, verdict, without_pictures,
-};
+use assur_text::units::Unit;
+use assur_worked::{Block, Document, Gap, GapSheet, Language, Part, gaps, verdict, without_pictures};
 use miette::Diagnostic;
 use thiserror::Error;
 
@@ -35,8 +33,6 @@ const MOST_GAPS: usize = 40;
 const MOST_SLIPS: usize = 24;
 /// The pictures of a solution take no more, bytes.
 const MOST_PICTURES: usize = 60_000;
-/// Digits of a drive.
-const DIGITS: usize = 6;
 
 /// Why there is no question.
 #[derive(Clone, Debug, Error, Diagnostic)]
@@ -150,7 +146,8 @@ impl Sheets<'_> {
 
     fn quiz(&self, made: &Made<'_>, options: QuizOptions<'_>, problems: &mut Problems) -> Option<Quiz> {
         let language = self.handout.language;
-        let GapSheet { document: mut sheet, gaps, verdicts } = gaps(made.exercise, language);
+        let GapSheet { document: mut sheet, gaps, verdicts } =
+            gaps(made.exercise, language, options.pictures);
         if !options.pictures {
             // a remark is about the picture
             sheet.blocks.retain(|block| !matches!(block, Block::Figures(_) | Block::Remark(_)));
@@ -177,8 +174,9 @@ impl Sheets<'_> {
             Steps::Parts(parts) => parts,
         };
         let (handout, language) = (self.handout, self.handout.language);
-        let at = (handout.pose, parts);
-        let solution = document(handout.source, &handout.document, made.drawn, language, at).ok()?;
+        let (at, replaced) = ((handout.pose, parts), made.exercise.replaced);
+        let solution =
+            document_with(handout.source, &handout.document, made.drawn, language, at, replaced).ok()?;
         if !options.pictures || *options.steps != Steps::All {
             return Some(solution.without_figures());
         }
@@ -230,33 +228,14 @@ fn scored(
     };
     let names = key.quantities.iter().map(|q| q.name.clone()).collect();
     let mut scored: Vec<QuizGap> = gaps.into_iter().zip(at).filter_map(of).collect();
-    let answers: Vec<f64> =
-        key.rows.iter().flat_map(|row| row.entries.iter().filter_map(Entry::number)).collect();
-    let drives: Vec<String> = poses.iter().map(|pose| drives_at(made.answers, *pose, &answers)).collect();
     for gap in &mut scored {
         let Some([name, words]) = &mut gap.gap.position else { continue };
-        let own = made.pose(name);
-        let row = poses
-            .iter()
-            .position(|pose| own.is_some_and(|own| pose.is_some_and(|pose| pose.name == own.name)));
-        *words += row.and_then(|row| drives.get(row)).map_or("", String::as_str);
+        let drives = made.pose(name).map_or_else(Vec::new, |pose| places::drives_at(made.answers, pose));
+        if !drives.is_empty() {
+            *words += &format!(" ({})", places::in_words(&drives));
+        }
     }
     Ok((scored, names))
-}
-
-/// Where the drives are at a position: ` (crank = 50°)`. What is an answer is not shown.
-fn drives_at(answers: &Answers<'_>, pose: Option<&Pose>, hidden: &[f64]) -> String {
-    let mechanism = answers.model.mechanism;
-    let Some(pose) = pose.filter(|_| mechanism.simulation.is_none()) else { return String::new() };
-    let shown = mechanism.drives.iter().zip(&pose.drives).filter_map(|(drive, value)| {
-        let Some(Value::Scalar(x)) = value.value() else { return None };
-        let display = mechanism.drive_display(drive.target);
-        let figures = significant(display.of_si(x), DIGITS);
-        let is_hidden = hidden.iter().any(|answer| (answer - x).abs() <= 1e-9 * x.abs());
-        (!is_hidden).then(|| format!("{} = {figures}{}", drive.name, printed_unit(&display.unit)))
-    });
-    let shown: Vec<String> = shown.collect();
-    if shown.is_empty() { String::new() } else { format!(" ({})", shown.join(", ")) }
 }
 
 /// The answer key of a row as `assur batch --key` writes it, a line per position.

@@ -261,7 +261,7 @@ fn positions_have_answers_of_their_own() {
     made(&folder, &["a.mech"]);
     let page = folder.read("q/a/question.html");
     assert!(page.contains("answers-name=\"M_at_1\"") && page.contains("answers-name=\"M_at_2\""), "{page}");
-    assert!(page.contains("<h5>Position 2 (crank = 130°)</h5>"), "{page}");
+    assert!(page.contains("<h5>Position 2 (φ_1 = 130°)</h5>"), "{page}");
 }
 
 /// An interval as the reader of Moodle's files has it.

@@ -147,4 +147,11 @@ impl Overrides {
     pub fn set(values: Vec<(String, String)>) -> Self {
         Self { values, row: Row::default() }
     }
+
+    /// Whether a value of the file is replaced.
+    #[must_use]
+    pub fn has(&self, name: &str) -> bool {
+        self.values.iter().any(|(own, _)| own == name)
+            || self.row.entries().any(|(column, _)| column.name == name)
+    }
 }

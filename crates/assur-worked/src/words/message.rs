@@ -1,6 +1,7 @@
 //! The messages of worked solutions: the keys of the sections of `messages/*.txt`, where their texts and parts stand.
 
-use super::{Language, Sentence};
+use super::{Language, Sentence, say};
+use crate::document::Line;
 use std::collections::BTreeMap;
 use std::sync::OnceLock;
 
@@ -133,6 +134,26 @@ impl Sentence for FunctionWords {
     fn template(self, language: Language) -> &'static str {
         text(language, "functions", self.0)
     }
+}
+
+/// The words of a section whose keys are data, such as a kind of datum.
+#[derive(Clone, Copy, Debug)]
+struct KeyedWords(&'static str, &'static str);
+
+impl Sentence for KeyedWords {
+    fn template(self, language: Language) -> &'static str {
+        text(language, self.0, self.1)
+    }
+}
+
+/// The words of a key with their parts; nothing where the section lacks it.
+pub fn words_of(language: Language, section: &'static str, name: &str, parts: &[Line]) -> Line {
+    key(section, name).map_or_else(Vec::new, |key| say(language, KeyedWords(section, key), parts))
+}
+
+/// A word of a section; itself where the section lacks it.
+pub fn word(language: Language, section: &'static str, name: &str) -> String {
+    key(section, name).map_or_else(|| name.to_owned(), |key| text(language, section, key).to_owned())
 }
 
 // The texts of the languages: one file each, sections of keys and texts.

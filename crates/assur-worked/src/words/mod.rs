@@ -5,7 +5,8 @@ mod phrase;
 
 pub use message::TutorialMessage;
 pub use message::{
-    DesignMessage, FrictionMessage, FunctionWords, Message, QuestionMessage, RunMessage, SymbolMessage,
+    DesignMessage, FrictionMessage, FunctionWords, Message, QuestionMessage, RunMessage, SymbolMessage, word,
+    words_of,
 };
 pub use phrase::{known, phrase, title};
 
