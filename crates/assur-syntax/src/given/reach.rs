@@ -47,6 +47,8 @@ impl<'d> Given<'d> {
             !matches!(datum.shown, Shown::Key | Shown::Method) && !matches!(datum.kind.key, "given" | "let")
         });
         let used = live(data, &definitions);
+        let asked = asked(&all, &used, &definitions);
+        all.retain(|line| line.subject != "event" || line.joins.iter().any(|name| asked.contains(name)));
         Self { lines: all, definitions, used }
     }
 
@@ -62,6 +64,20 @@ impl<'d> Given<'d> {
         }
         all
     }
+}
+
+/// The names in questions and in what they use, and what a steady motion repeats.
+fn asked<'d>(
+    all: &[GivenLine<'d>],
+    used: &BTreeSet<&'d str>,
+    definitions: &BTreeMap<&'d str, &'d Definition>,
+) -> BTreeSet<&'d str> {
+    let data = all.iter().flat_map(|line| &line.data).filter(|datum| datum.shown == Shown::Question);
+    let questions = data.flat_map(Datum::expressions).flat_map(names_of);
+    let values = used.iter().filter_map(|name| definitions.get(name)).flat_map(|own| names_of(&own.value));
+    let is_run = |line: &&GivenLine<'d>| line.data.iter().any(|datum| datum.kind.key == "steady");
+    let repeated = all.iter().filter(is_run).flat_map(|line| line.joins.iter().copied());
+    questions.chain(values).chain(repeated).collect()
 }
 
 /// The values that data use, and the values of these.

@@ -62,7 +62,10 @@ pub(super) fn simulate<'d>(line: &mut GivenLine<'d>, own: &'d Simulate) {
         TimeCourse::Between { from: Some(from), to } => {
             line.add(datum("simulate", GivenValue::Several(vec![from, to])));
         }
-        TimeCourse::Steady(Steady { .. }) => line.add(flag("steady")),
+        TimeCourse::Steady(Steady { of, .. }) => {
+            line.join(&of.head.node);
+            line.add(flag("steady"));
+        }
     }
     own.steps.iter().chain(&own.within).for_each(|value| hidden(line, value, Shown::Method));
 }

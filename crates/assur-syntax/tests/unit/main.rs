@@ -2,3 +2,4 @@
 
 mod comma;
 mod document;
+mod given;

@@ -37,8 +37,10 @@ const LETTERED: [&str; 17] = [
     "radius",
 ];
 /// Functions of numbers, which stand for no letter.
-const PLAIN: [&str; 14] =
-    ["sin", "cos", "tan", "sqrt", "asin", "acos", "atan", "atan2", "exp", "ln", "log", "min", "max", "abs"];
+const PLAIN: [&str; 15] = [
+    "sin", "cos", "tan", "sqrt", "asin", "acos", "atan", "atan2", "exp", "ln", "log", "min", "max", "abs",
+    "mag",
+];
 
 pub(super) struct Values<'a> {
     data: Data<'a>,
@@ -138,6 +140,9 @@ impl<'a> Values<'a> {
                     word => Inline::Math(name_node(&quantity_name(word))),
                 };
                 let args: Vec<Line> = args.iter().map(|arg| self.line(&arg.value)).collect();
+                if matches!(&*function.node, "abs" | "mag") {
+                    return [vec![text("|")], args.join(&text("; ")), vec![text("|")]].concat();
+                }
                 [vec![name, text("(")], args.join(&text("; ")), vec![text(")")]].concat()
             }
             ExprKind::Vector(x, y) => {
