@@ -57,6 +57,11 @@ fn said(source: &Source, stage: &str) -> String {
     if stage == "course" {
         return render(&asked(source), source, Style::PLAIN);
     }
+    if stage == "sheet" {
+        let (document, found) = assur::internals::syntax::parse(source);
+        let handout = Handout::new(source, document.into(), Overrides::none(), Language::English, None);
+        return render(&Sheets::of(&handout, found).for_all().1, source, Style::PLAIN);
+    }
     let set = source.text.lines().next().and_then(|line| line.strip_prefix("// --set ")?.split_once('='));
     let values = set.into_iter().map(|(name, value)| (name.to_owned(), value.to_owned())).collect();
     let overrides = Overrides::set(values);

@@ -4,6 +4,7 @@
 mod answers;
 mod base64;
 pub mod course;
+mod lacks;
 mod pictures;
 mod places;
 mod published;

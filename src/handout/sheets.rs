@@ -1,5 +1,6 @@
 //! Exercise sheets and their keys.
 
+use super::lacks;
 use super::places;
 use super::texts::{for_all, names, names_a_column, numbers};
 use super::{Handout, KINDS};
@@ -15,6 +16,7 @@ use assur_syntax::document;
 use assur_syntax::given::Given;
 use assur_text::diagnostic::Problems;
 use assur_worked::{Document, Exercise, Name, Variants, asks_for_positions, key, sheet};
+use std::cell::Cell;
 use std::sync::Arc;
 
 /// Sheets of a file.
@@ -132,8 +134,11 @@ impl<'a> Sheets<'a> {
             let in_text = self.handout.document.notes.iter().any(|note| names_a_column(&note.node, table));
             Some(Variants { columns, rows, drawn_for: first.words(), in_text })
         };
-        let sheet =
-            |made: &Made<'_>, _: &mut Problems| Some(sheet(made.exercise, self.handout.language, variants()));
+        let sheet = |made: &Made<'_>, problems: &mut Problems| {
+            let sheet = sheet(made.exercise, self.handout.language, variants());
+            lacks::of(made.exercise, &sheet, self.handout.language, problems);
+            Some(sheet)
+        };
         let document = self.made(compiled, found, &mut problems, Of::All(&self.rows), sheet);
         (document, problems)
     }
@@ -154,8 +159,15 @@ impl<'a> Sheets<'a> {
 
     /// The sheets of rows, one after another, each with what is wrong in it, until `goes_on` says no.
     pub fn each(&self, rows: &[Row], goes_on: impl FnMut(&Row, Option<Document>, Problems) -> bool) {
-        let sheet =
-            |made: &Made<'_>, _: &mut Problems| Some(sheet(made.exercise, self.handout.language, None));
+        // it is the same for all rows
+        let is_first = Cell::new(true);
+        let sheet = |made: &Made<'_>, problems: &mut Problems| {
+            let sheet = sheet(made.exercise, self.handout.language, None);
+            if is_first.replace(false) {
+                lacks::of(made.exercise, &sheet, self.handout.language, problems);
+            }
+            Some(sheet)
+        };
         self.each_made(rows, sheet, goes_on);
     }
 

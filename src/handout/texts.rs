@@ -44,7 +44,7 @@ pub fn names_a_column(text: &str, table: Option<&Variants>) -> bool {
     found
 }
 
-/// The numbers of a document without its expectations and tables, SI.
+/// The numbers of a document without its expectations and its table of variants, SI.
 pub fn numbers(document: &Document) -> Vec<f64> {
     let mut numbers = Vec::new();
     asking(document).for_each(|statement| {
@@ -55,6 +55,17 @@ pub fn numbers(document: &Document) -> Vec<f64> {
             }
         });
     });
+    let curves = document.statements.iter().filter_map(|s| match &s.node {
+        Statement::Curve(curve) => Some(&curve.table),
+        _ => None,
+    });
+    for table in curves {
+        for (i, column) in table.columns.iter().enumerate() {
+            let unit = column.unit.as_ref().and_then(|unit| lookup(&unit.node).ok());
+            let cells = table.rows.iter().filter_map(|row| row.cells.get(i)?.node.text().parse::<f64>().ok());
+            numbers.extend(cells.map(|x| unit.as_ref().map_or(x, |unit| unit.to_si(x))));
+        }
+    }
     numbers
 }
 

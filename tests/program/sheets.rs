@@ -11,7 +11,9 @@ const KEY: &str = include_str!("../cases/use3/sheets/key-titled-by-last-row.mech
 fn report(text: &str, more: &[&str]) -> String {
     let folder = Folder::new("sheet").with("a.mech", text);
     let out = assur(&folder, &[&["report", "a.mech"], more].concat());
-    assert_eq!((out.status, out.stderr.as_str()), (0, ""));
+    // a sheet may lack something
+    let is_clean = out.stderr.is_empty() || out.stderr.starts_with("mech::sheet::");
+    assert!(out.status == 0 && is_clean, "{}", out.stderr);
     out.stdout
 }
 
@@ -235,7 +237,8 @@ fn no_datum_is_left_out_for_its_number() {
     ] {
         let text = block("", LOADS, "").replace("// A block is", &format!("// {sentence}A block is"));
         let text = if is_kept { text } else { text.replace("= 80 N", "= (0.08 kN + 0.1 N)") };
-        assert_eq!(words(&report(&text, &["--sheet"])).contains(sentence.trim()), is_kept, "{sentence}");
+        let sheet = report(&text, &["--sheet"]);
+        assert_eq!(words(&sheet).contains(sentence.trim()), is_kept, "{sentence}");
     }
     // where several positions have one number as an answer, all stay
     let roof = include_str!("../../examples/trusses/roof-of-seven-bars.mech");

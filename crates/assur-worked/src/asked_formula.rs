@@ -23,6 +23,23 @@ pub fn asked(mechanism: &Mechanism, written: &str, language: Language) -> Option
     Writer { mechanism, language }.words(&item)
 }
 
+/// Whether a question of a file is one function that has words.
+pub fn has_words(written: &str) -> bool {
+    let function = parsed(written).and_then(|item| match item.kind {
+        ExprKind::Call { function, args } => Some((function.node, args.len())),
+        ExprKind::Member(of, part) => match of.kind {
+            ExprKind::Call { function, args } => {
+                Some((format!("{}.{}", function.node, part.node), args.len()))
+            }
+            _ => None,
+        },
+        _ => None,
+    });
+    function.is_some_and(|(name, count)| {
+        matches!(name.as_str(), "abs" | "mag" | "dir") || FunctionWords::of(&name, count).is_some()
+    })
+}
+
 /// The letters of one quantity, or of its size: what a column of answers is headed with.
 pub fn letters(mechanism: &Mechanism, written: &str, language: Language) -> Option<Node> {
     let (item, writer) = (parsed(written)?, Writer { mechanism, language });
@@ -423,6 +440,9 @@ fn lettered(function: &str) -> Option<(&'static str, Index)> {
         "radius" => ("r", All),
         "dir" => ("∠", All),
         "start" => ("s₀", All),
+        "mass" => ("m", All),
+        "mass_centre" => ("S", All),
+        "inertia" => ("J", All),
         _ => return None,
     })
 }

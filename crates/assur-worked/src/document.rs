@@ -160,16 +160,8 @@ impl Block {
             Self::Paragraph(line) => Self::Paragraph(line_with_commas(line)),
             Self::Remark(line) => Self::Remark(line_with_commas(line)),
             Self::List(items) => Self::List(items.into_iter().map(line_with_commas).collect()),
-            Self::Table(table) => {
-                let rows = table.rows.into_iter().map(|row| row.into_iter().map(line_with_commas).collect());
-                let header = |part: Inline| match part {
-                    Inline::Text(words) => Inline::Text(header_in_cyrillic(&commas(&words))),
-                    part => part_with_commas(part),
-                };
-                let headers = table.headers.into_iter().map(|line| line.into_iter().map(header).collect());
-                let headers = headers.collect();
-                Self::Table(Table { headers, rows: rows.collect(), ..table })
-            }
+            Self::Table(table) => Self::Table(table.with_commas()),
+            Self::Form(table) => Self::Form(table.with_commas()),
             Self::Vectors(terms) => {
                 let of = |term: Term| Term {
                     magnitude: line_with_commas(term.magnitude),
@@ -178,8 +170,20 @@ impl Block {
                 };
                 Self::Vectors(terms.into_iter().map(of).collect())
             }
-            Self::Heading(..) | Self::Figures(_) | Self::Form(_) | Self::Room(_) => self,
+            Self::Heading(..) | Self::Figures(_) | Self::Room(_) => self,
         }
+    }
+}
+
+impl Table {
+    fn with_commas(self) -> Self {
+        let rows = self.rows.into_iter().map(|row| row.into_iter().map(line_with_commas).collect());
+        let header = |part: Inline| match part {
+            Inline::Text(words) => Inline::Text(header_in_cyrillic(&commas(&words))),
+            part => part_with_commas(part),
+        };
+        let headers = self.headers.into_iter().map(|line| line.into_iter().map(header).collect());
+        Self { headers: headers.collect(), rows: rows.collect(), ..self }
     }
 }
 

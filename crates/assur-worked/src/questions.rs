@@ -51,6 +51,17 @@ pub fn question(mechanism: &Mechanism, source: &str, find: &Find, language: Lang
     Asking { mechanism, language }.named(find, source, None)
 }
 
+/// Whether a question has neither a name of its own nor words: only a formula says what it is.
+pub fn is_formula(mechanism: &Mechanism, source: &str, find: &Find, language: Language) -> bool {
+    let FindKind::Value { expr, .. } = &find.kind else { return false };
+    if mechanism.is_condition(expr) {
+        return false;
+    }
+    let written = written(find, source);
+    let words = Asking { mechanism, language }.expr(expr).is_some();
+    named(find, written).is_none() && !words && !crate::asked_formula::has_words(&formula(written, None))
+}
+
 /// A reaction among all of them.
 pub fn question_of_reaction(mechanism: &Mechanism, pair: PairId, on: LinkId, language: Language) -> Line {
     let asking = Asking { mechanism, language };

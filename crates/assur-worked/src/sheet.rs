@@ -5,13 +5,15 @@ use crate::course::{Derivation, plain};
 use crate::document::{Block, Document, Inline, Line, Table, text};
 use crate::forces::quantity_name;
 use crate::given::Data;
-use crate::questions::{letters_of_all, questions};
+use crate::questions::{is_formula, letters_of_all, questions};
 use crate::words::{Language, Message, say};
 use crate::worked::without_empty;
 use assur_formula::{Name, Node, name_node};
 use assur_model::model::{Find, FindKind, Mechanism, Query, Value};
 use assur_picture::Scene;
+use assur_text::source::Span;
 use assur_text::units::{Dimension, lookup};
+use std::f64::consts::FRAC_PI_4;
 
 /// The table of all variants.
 pub struct Variants {
@@ -49,6 +51,8 @@ pub(crate) fn drive_words(drives: &[(Name, String)]) -> Line {
 const DIGITS: usize = 4;
 /// Answers next to each other.
 const IN_PART: usize = 6;
+/// A number of a text is one of the file where it is as near as this.
+const ROUNDED: f64 = 1e-3;
 /// A number of a text is an answer where it is as near as this.
 const NEAR: f64 = 6e-3;
 
@@ -298,29 +302,56 @@ impl Exercise<'_> {
     fn notes_without(&self) -> String {
         let notes = self.mechanism.notes.join(" ");
         let tells = |sentence: &&str| {
-            let words: Vec<&str> =
-                sentence.split(|c: char| c.is_whitespace() || "(),;:=".contains(c)).collect();
-            let next = words.iter().skip(1).copied().chain([""]);
-            words.iter().zip(next).any(|(word, next)| {
-                let word = word.trim_start_matches(|c: char| !c.is_ascii_digit()).trim_end_matches('.');
-                let end = word.find(|c: char| !c.is_ascii_digit() && c != '.').unwrap_or(word.len());
-                let unit = if end == word.len() { next.trim_end_matches('.') } else { &word[end..] };
-                word[..end].parse().is_ok_and(|number| number != 0.0 && self.is_answer_in_words(number, unit))
-            })
+            numbers_in(sentence).into_iter().any(|(number, unit)| self.is_answer_in_words(number, unit))
         };
         let kept: Vec<&str> = notes.split_inclusive(". ").filter(|s| !tells(s)).map(str::trim).collect();
         kept.join(" ")
+    }
+
+    /// Whether the file gives a number, SI, to within a part of it.
+    fn gives(&self, x: f64, near: f64) -> bool {
+        let given = self.mechanism.values.iter().filter(|v| v.given).filter_map(|v| match v.value {
+            Value::Scalar(x) => Some(x),
+            _ => None,
+        });
+        let mut all = self.written.iter().copied().chain(given);
+        all.any(|given| (given.abs() - x).abs() <= near * given.abs())
+    }
+
+    /// The numbers with units of a text that are none of the file's, and no answers, as they are written.
+    #[must_use]
+    pub fn numbers_in_words_alone(&self, words: &str) -> Vec<String> {
+        let alone = |(number, unit): &(f64, &str)| {
+            let Ok(own) = lookup(unit) else { return false };
+            let x = own.to_si(*number);
+            let is_part_of_turn = own.dimension == Dimension::ANGLE && is_whole(x / FRAC_PI_4);
+            own.dimension != Dimension::NUMBER
+                && !is_part_of_turn
+                && !is_letter(unit)
+                && !self.gives(x, ROUNDED)
+                && !self.is_answer_in_words(*number, unit)
+        };
+        numbers_in(words).into_iter().filter(alone).map(|(number, unit)| format!("{number} {unit}")).collect()
+    }
+
+    /// The questions that are formulas without letters: their numbers and places.
+    #[must_use]
+    pub fn formulas_without_letters(&self, language: Language) -> Vec<(usize, Span)> {
+        let own = self.own_letters(language);
+        let finds = self.mechanism.finds.iter().zip(&own).enumerate();
+        let is_formula = |find: &Find| {
+            matches!(find.kind, FindKind::Value { .. })
+                && is_formula(self.mechanism, self.text, find, language)
+        };
+        let without = finds.filter(|(_, (find, own))| own.is_none() && is_formula(find));
+        without.map(|(i, (find, _))| (i + 1, find.span)).collect()
     }
 
     /// Whether a number of the text, with what is behind it, is an answer and no number that the file gives.
     fn is_answer_in_words(&self, number: f64, behind: &str) -> bool {
         let unit = lookup(behind).unwrap_or_else(|_| assur_text::units::Unit::si(Dimension::NUMBER));
         let x = unit.to_si(number);
-        let given = self.mechanism.values.iter().filter(|v| v.given).filter_map(|v| match v.value {
-            Value::Scalar(x) => Some(x),
-            _ => None,
-        });
-        if self.written.iter().copied().chain(given).any(|given| is_near(given.abs(), x)) {
+        if self.gives(x, 1e-9) {
             return false;
         }
         let fits = |own: &str| match lookup(own) {
@@ -488,11 +519,31 @@ pub fn printed_unit(unit: &str) -> String {
     }
 }
 
+fn is_whole(x: f64) -> bool {
+    (x - x.round()).abs() < 1e-9
+}
+
+/// Whether a unit in a text is rather a letter of a formula, as in `√(2 h/g)`.
+fn is_letter(unit: &str) -> bool {
+    let first = unit.split(['/', '*']).next().unwrap_or_default();
+    matches!(first, "h" | "t" | "g") || matches!(unit, "s/h" | "1/s")
+}
+
+/// The numbers of a text, each with the word behind it.
+fn numbers_in(text: &str) -> Vec<(f64, &str)> {
+    let words: Vec<&str> = text.split(|c: char| c.is_whitespace() || "(),;:=".contains(c)).collect();
+    let next = words.iter().skip(1).copied().chain([""]);
+    let found = words.iter().zip(next).filter_map(|(word, next)| {
+        let word = word.trim_start_matches(|c: char| !c.is_ascii_digit()).trim_end_matches('.');
+        let end = word.find(|c: char| !c.is_ascii_digit() && c != '.').unwrap_or(word.len());
+        let unit = if end == word.len() { next.trim_end_matches('.') } else { &word[end..] };
+        let number = word[..end].parse().ok().filter(|number| *number != 0.0)?;
+        Some((number, unit))
+    });
+    found.collect()
+}
+
 /// Whether a number of a text is a value as it may be rounded.
 fn is_within(value: f64, number: f64) -> bool {
     value != 0.0 && (value.abs() - number.abs()).abs() <= NEAR * value.abs()
-}
-
-fn is_near(a: f64, b: f64) -> bool {
-    (a - b).abs() <= 1e-9 * a.abs()
 }

@@ -1,6 +1,6 @@
 //! The letters under which the steps have what the file asks for.
 
-use crate::course::Derivation;
+use crate::course::{Derivation, joined};
 use crate::forces::quantity_name;
 use assur_formula::{Expr, Name, Node, Unit, letters, name_node};
 use assur_math::math::{SAME, Vec2};
@@ -132,13 +132,13 @@ impl Derivation<'_> {
             }
             Query::Displacement(pair) => {
                 let pair = *pair;
-                let words = self.scene.mechanism().pair(pair).name.clone();
-                let own = |name: &Name| name.letter == "s" && name.sub.starts_with(&words);
-                let cylinder = matches!(self.scene.mechanism().pair(pair).kind, PairKind::Cylinder { .. });
-                return if cylinder {
-                    self.found_with(own, value)
-                } else {
-                    self.on_guide_with(&["s", "x", "y"], pair, value)
+                return match &self.scene.mechanism().pair(pair).kind {
+                    PairKind::Cylinder { from, to, .. } => {
+                        let ends = [from, to].map(|pin| self.point_name(pin.link.index(), pin.at));
+                        let index = joined(&ends[0], &ends[1]);
+                        self.found_with(|name| matches!(&*name.letter, "s" | "l") && name.sub == index, value)
+                    }
+                    _ => self.on_guide_with(&["s", "x", "y"], pair, value),
                 };
             }
             Query::RelativeVelocity(pair) => return self.on_guide_with(&["v"], *pair, value),

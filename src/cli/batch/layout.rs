@@ -114,7 +114,7 @@ pub const EVENT: &str = "event";
 /// The header of what went wrong.
 pub const ERROR: &str = "error";
 
-/// What names a line stands in every part of a table that is too wide.
+/// What names a line is in every part of a table that is too wide.
 fn move_to_keys(table: &mut Table, place: usize) {
     let header = table.columns.remove(place);
     table.columns.insert(table.keys, header);

@@ -12,6 +12,7 @@ pub use prairielearn::{Called, Part as FilePart, PrairieLearn, Variant, question
 use units::accepted;
 
 use super::Sheets;
+use super::lacks;
 use super::places;
 use super::sheets::{Made, Row};
 use super::worked::document_with;
@@ -25,6 +26,7 @@ use assur_text::source::Source;
 use assur_text::units::Unit;
 use assur_worked::{Block, Document, Gap, GapSheet, Language, Part, gaps, verdict, without_pictures};
 use miette::Diagnostic;
+use std::cell::Cell;
 use thiserror::Error;
 
 /// Gaps of one question at the most.
@@ -141,7 +143,15 @@ impl Sheets<'_> {
         options: QuizOptions<'_>,
         goes_on: impl FnMut(&Row, Option<Quiz>, Problems) -> bool,
     ) {
-        self.each_made(rows, |made, problems| self.quiz(made, options, problems), goes_on);
+        let is_first = Cell::new(true);
+        let quiz = |made: &Made<'_>, problems: &mut Problems| {
+            let quiz = self.quiz(made, options, problems)?;
+            if options.pictures && is_first.replace(false) {
+                lacks::of(made.exercise, &quiz.sheet, self.handout.language, problems);
+            }
+            Some(quiz)
+        };
+        self.each_made(rows, quiz, goes_on);
     }
 
     fn quiz(&self, made: &Made<'_>, options: QuizOptions<'_>, problems: &mut Problems) -> Option<Quiz> {

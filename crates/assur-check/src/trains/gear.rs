@@ -4,7 +4,7 @@ use crate::expr::context::Context;
 use crate::expr::positive::Want;
 use crate::expr::property::{Read, Value, find, read};
 use crate::values::format_value::{digits, format_value};
-use assur_math::element::gear::{GearFault, GearPair, NoMesh, Teeth};
+use assur_math::element::gear::{GearFault, GearPair, NoMesh, STANDARD_RACK, Teeth};
 use assur_syntax::document::{
     Document, End, Expr, Joint, JointKind, Member, Statement, WheelMember, WheelSize,
 };
@@ -12,9 +12,6 @@ use assur_text::diagnostic::Diagnosis;
 use assur_text::language::properties_of_pair;
 use assur_text::source::Span;
 use assur_text::units::Dimension;
-
-/// The standard basic rack: pressure angle, addendum and clearance in modules.
-const RACK: (f64, f64, f64) = (20.0 * std::f64::consts::PI / 180.0, 1.0, 0.25);
 
 /// Relative difference of two modules that are one.
 const EQUAL: f64 = 1e-12;
@@ -55,7 +52,7 @@ impl Context<'_> {
             _ => [0.0; 2],
         };
         let internal = find(&properties, "internal").is_some();
-        let (angle, addendum, clearance) = RACK;
+        let [angle, addendum, clearance] = STANDARD_RACK;
         // the pinion comes first, whichever is written first; only a ring must be the second
         let swapped = internal && z[0] > z[1];
         let turn = |both: [f64; 2]| if swapped { [both[1], both[0]] } else { both };

@@ -119,7 +119,7 @@ pub(super) fn direct_parts<'d>(expr: &'d Expr, visit: &mut dyn FnMut(&'d Expr)) 
 }
 
 /// Calls `visit` on an expression and all its parts.
-fn each_part<'d>(expr: &'d Expr, visit: &mut dyn FnMut(&'d Expr)) {
+pub fn each_part<'d>(expr: &'d Expr, visit: &mut dyn FnMut(&'d Expr)) {
     visit(expr);
     direct_parts(expr, &mut |part| each_part(part, visit));
 }

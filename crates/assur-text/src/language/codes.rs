@@ -343,6 +343,12 @@ pub static CODES: &[Code] = codes! {
     "picture" / "no_way",
     "picture" / "no_scale",
     "picture" / "no_true_size",
+    // sheets
+    "sheet" / "no_figure",
+    "sheet" / "no_letter",
+    "sheet" / "in_words_alone",
+    "sheet" / "long_table",
+    "sheet" / "many_positions",
     // courses
     "course" / "nothing_asked",
     "course" / "verdict_is_no_number",

@@ -15,10 +15,12 @@ use crate::document::{Block, Inline, Line, text};
 use crate::forces::quantity_name;
 use crate::words::{Language, Message, say, word, words_of};
 use assur_formula::{Name, name_node};
+use assur_math::element::gear::STANDARD_RACK;
 use assur_model::model::Mechanism;
 use assur_picture::Scene;
-use assur_syntax::document::{Document, Statement};
-use assur_syntax::given::{Datum, Given, GivenLine, GivenValue, Shown};
+use assur_syntax::document::{Document, Expr, ExprKind, JointKind, Statement};
+use assur_syntax::given::{Datum, Given, GivenLine, GivenValue, Shown, each_part};
+use assur_text::units::significant;
 use letters::Letters;
 use std::collections::BTreeSet;
 use value::Values;
@@ -122,6 +124,7 @@ impl<'a> Telling<'a> {
                 _ => cells.push(words),
             }
         }
+        cells.extend(self.standard_rack(line));
         if cells.is_empty() {
             return Vec::new();
         }
@@ -140,6 +143,28 @@ impl<'a> Telling<'a> {
             told.extend(cell);
         }
         if line.subject.is_empty() { capital(told) } else { told }
+    }
+
+    /// The sizes of the standard rack, which a mesh has where its statement is silent and its geometry is asked for.
+    fn standard_rack(&self, line: &GivenLine<'_>) -> Vec<Line> {
+        let statement = self.data.document.statements.get(line.statement).map(|s| &s.node);
+        let Some(Statement::Joint(mesh)) = statement.filter(|s| asks_for_teeth(self.data.document, s)) else {
+            return Vec::new();
+        };
+        let is_written = |kind: &str| mesh.properties.iter().any(|own| own.name.node == kind);
+        let [angle, addendum, clearance] = STANDARD_RACK;
+        let all = [
+            ("pressure_angle", "α", format!("{}°", significant(angle.to_degrees(), 6))),
+            ("addendum", "h", significant(addendum, 6)),
+            ("clearance", "c", significant(clearance, 6)),
+        ];
+        let missing = all.into_iter().filter(|(kind, ..)| !is_written(kind));
+        let words = missing.map(|(kind, letter, figures)| {
+            let figures = text(format!("\u{a0}=\u{a0}{figures}"));
+            let value = vec![Inline::Math(name_node(&Name::new(letter, ""))), figures];
+            words_of(self.language, "given", kind, &[value])
+        });
+        words.collect()
     }
 
     const fn signs(&self) -> [&'static str; 2] {
@@ -266,4 +291,26 @@ fn capital(mut line: Line) -> Line {
         *words = first + chars.as_str();
     }
     line
+}
+
+/// Whether the geometry of the teeth of a mesh is asked for.
+fn asks_for_teeth(document: &Document, mesh: &Statement) -> bool {
+    let Statement::Joint(mesh) = mesh else { return false };
+    let is_own = |expr: &Expr| matches!(&expr.kind, ExprKind::Name(name) if *name == mesh.name.node);
+    let of_teeth = ["table", "contact_ratio", "tooth_force", "sliding_velocity"];
+    let asks = |part: &Expr| match &part.kind {
+        ExprKind::Call { function, args } if of_teeth.contains(&function.node.as_str()) => {
+            args.first().is_some_and(|arg| is_own(&arg.value))
+        }
+        _ => false,
+    };
+    let finds = document.statements.iter().filter_map(|s| match &s.node {
+        Statement::Find(find) => Some(&find.items),
+        _ => None,
+    });
+    let mut asked = false;
+    for item in finds.flatten() {
+        each_part(&item.value, &mut |part| asked |= asks(part));
+    }
+    mesh.kind.node == JointKind::Mesh && asked
 }

@@ -10,6 +10,9 @@
 
 use std::f64::consts::PI;
 
+/// The standard basic rack: pressure angle, rad, addendum and clearance in modules.
+pub const STANDARD_RACK: [f64; 3] = [20.0 * PI / 180.0, 1.0, 0.25];
+
 /// What a pair is given by.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Teeth {
