@@ -164,3 +164,35 @@ fn positions_are_chosen() {
     let wrong = assur(&folder, &["report", "a.mech", "--sheet", "--positions", "2,5"]);
     assert!(wrong.status != 0 && wrong.stderr.contains("`5`"), "{}", wrong.stderr);
 }
+
+/// The crank passes a height that it reaches in the first row alone.
+const PASSES: &str = "given r = 100 mm
+ground { A (0, 0) }
+link crank A-B r
+revolute A: ground - crank
+drive crank = 0 deg .. 90 deg in 3 steps at 10 rad/s
+event high: position(crank.B).y = 70 mm
+find y = position(crank.B).y
+variants {
+  r [mm]
+  100
+  60
+}
+";
+
+#[test]
+fn events_do_not_count_among_positions() {
+    let folder = Folder::new("numbers").with("a.mech", PASSES);
+    let said = assur(&folder, &["batch", "a.mech", "--key", "key.csv", "--out", "all.csv"]);
+    assert_eq!(said.status, 0, "{}", said.stderr);
+    let poses = |name: &str, row: &str| -> Vec<String> {
+        let table = rows(&folder.read(name));
+        let pose = place(&table[0], "pose").unwrap();
+        table[1..].iter().filter(|cells| cells[0] == row).map(|cells| cells[pose].clone()).collect()
+    };
+    for row in ["1", "2"] {
+        assert_eq!(poses("key.csv", row), ["1", "2", "3", "4"]);
+    }
+    assert_eq!(poses("all.csv", "1"), ["1", "2", "high", "3", "4"]);
+    assert_eq!(poses("all.csv", "2"), ["1", "2", "3", "4"]);
+}

@@ -126,19 +126,28 @@ impl Values {
 pub(crate) struct Sweep {
     drives: Vec<Values>,
     len: usize,
+    /// The names of its positions, where some are those of events; else they are numbered.
+    names: Vec<String>,
 }
 
 impl Sweep {
     pub fn of(model: &Model<'_>, statics: &WholeCycle) -> Self {
         let drives = model.mechanism.drives.iter().map(|d| Values::of(model, statics, d));
         let mut drives: Vec<Values> = drives.collect();
+        let mut names = Vec::new();
         if let Some(swept) = &statics.swept {
             let range = &mut drives[swept.drive];
-            *range = range.with_events(statics, swept);
+            let own = std::mem::replace(range, range.with_events(statics, swept));
+            names = names_beside(&own, range, statics, model.mechanism);
         }
         // `check` has seen to it that all are of one length, or single
         let len = drives.iter().map(Values::len).max().unwrap_or(1);
-        Self { drives, len }
+        Self { drives, len, names }
+    }
+
+    /// What a position is called, counted from 0.
+    fn name(&self, index: usize) -> String {
+        self.names.get(index).cloned().unwrap_or_else(|| (index + 1).to_string())
     }
 
     pub const fn len(&self) -> usize {
@@ -173,7 +182,8 @@ impl Sweep {
     pub fn after_turns(&self) -> Option<PoseRequest> {
         let drives = self.drives.iter().map(Values::after_turns).collect::<Option<Vec<_>>>()?;
         let origin = PoseOrigin::Sweep(self.len);
-        (self.len > 1).then(|| PoseRequest { name: (self.len + 1).to_string(), origin, drives })
+        let numbered = if self.names.is_empty() { self.len } else { numbers(&self.names) };
+        (self.len > 1).then(|| PoseRequest { name: (numbered + 1).to_string(), origin, drives })
     }
 
     /// The position after whole turns is not the first again.
@@ -186,6 +196,9 @@ impl Sweep {
             }
         }
         self.len += 1;
+        if !self.names.is_empty() {
+            self.names.push((numbers(&self.names) + 1).to_string());
+        }
     }
 
     /// Drive values at a position, counted from 0.
@@ -205,8 +218,36 @@ impl Sweep {
 
     pub fn at(&self, index: usize) -> PoseRequest {
         let origin = PoseOrigin::Sweep(index);
-        PoseRequest { name: (index + 1).to_string(), origin, drives: self.values(index) }
+        PoseRequest { name: self.name(index), origin, drives: self.values(index) }
     }
+}
+
+/// How many of the names are numbers.
+fn numbers(names: &[String]) -> usize {
+    names.iter().filter(|name| name.bytes().all(|b| b.is_ascii_digit())).count()
+}
+
+/// The names of positions with events among them: those of the range have its numbers, the others are called as their event, and which time
+/// it is.
+fn names_beside(own: &Values, all: &Values, statics: &WholeCycle, mechanism: &Mechanism) -> Vec<String> {
+    let Values::Eventful(list, _) = all else { return Vec::new() };
+    let own: Vec<DriveValue> = (0..own.len()).map(|i| own.at(i)).collect();
+    let of_event = |x: f64| {
+        let mut events = mechanism.events.iter().zip(&statics.events);
+        let (event, place) =
+            events.find_map(|(event, places)| Some((event, places.iter().position(|at| *at == x)?)))?;
+        let name = event.name.as_deref().unwrap_or("end");
+        Some(if place == 0 { name.to_owned() } else { format!("{name} {}", place + 1) })
+    };
+    let mut number = 0;
+    let name = |x: &f64| {
+        let event = if own.contains(&DriveValue::Scalar(*x)) { None } else { of_event(*x) };
+        event.unwrap_or_else(|| {
+            number += 1;
+            number.to_string()
+        })
+    };
+    list.iter().map(name).collect()
 }
 
 /// Positions beside the sweep: drives that are not named keep the value of the sweep's first position.
