@@ -70,7 +70,11 @@ impl Problem for Lack {}
 
 /// What the sheet of a file lacks.
 pub(super) fn of(exercise: &Exercise<'_>, sheet: &Document, language: Language, problems: &mut Problems) {
-    let has_figure = sheet.blocks.iter().any(|block| matches!(block, Block::Figures(_)));
+    let is_scheme = |block: &Block| match block {
+        Block::Figures(figures) => figures.iter().any(|figure| !figure.name.starts_with("table-")),
+        _ => false,
+    };
+    let has_figure = sheet.blocks.iter().any(is_scheme);
     if exercise.mechanism.links.len() > 1 && !has_figure {
         problems.push(Lack::NoFigure);
     }

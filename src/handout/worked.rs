@@ -61,6 +61,7 @@ pub(super) fn document_with(
         in_table: &in_table,
         replaced,
         figure: !solved.solution.poses.is_empty(),
+        plots: false,
         headings: false,
         position: None,
     };

@@ -247,6 +247,21 @@ fn no_datum_is_left_out_for_its_number() {
     assert!(part(&swing, "Answers", "Solution").contains("\n    2\n"), "{swing}");
 }
 
+/// A table has its plot beside it: a curve through its points.
+#[test]
+fn a_table_is_plotted() {
+    let text = "curve t linear {\n  q [deg], k\n  0, 0\n  30, 1\n  180, 0\n}
+ground { O (0, 0) }\nlink crank { O (0, 0) }\nrevolute O: ground - crank\ndrive crank = 0 deg .. 180 deg in 3 steps
+find T = 10 N*m*t(angle(crank))\n";
+    let sheet = report(text, &["--sheet", "--format", "html"]);
+    let plot = sheet.split_once("id=\"table-t").expect("a plot").1.split_once("</svg>").unwrap().0;
+    // a dot for each point
+    assert_eq!(plot.matches("<circle").count(), 3, "{plot}");
+    for tick in [">0<", ">180<", ">1.00<"] {
+        assert!(plot.contains(tick), "{tick}: {plot}");
+    }
+}
+
 /// What is asked for is not given: a dead position, an equilibrium, a mass centre, the end of the period.
 #[test]
 fn what_is_asked_is_not_given() {

@@ -300,7 +300,7 @@ impl Exercise<'_> {
 
     /// The text of the problem without the sentences that have an answer in them.
     fn notes_without(&self) -> String {
-        let notes = self.mechanism.notes.join(" ");
+        let notes = typeset(&self.mechanism.notes.join(" "));
         let tells = |sentence: &&str| {
             numbers_in(sentence).into_iter().any(|(number, unit)| self.is_answer_in_words(number, unit))
         };
@@ -387,6 +387,7 @@ impl Exercise<'_> {
             in_table: self.in_table,
             replaced: self.replaced,
             figure: pictures && self.drawn().is_some(),
+            plots: pictures,
             headings: several && has_headings,
             position: self.drives.first().filter(|_| self.is_one_of_several).map(Vec::as_slice),
         };
@@ -517,6 +518,17 @@ pub fn printed_unit(unit: &str) -> String {
         "deg" => "°".to_owned(),
         unit => format!(" {}", unit.replace('*', "·").replace("^2", "²").replace("^3", "³")),
     }
+}
+
+/// A text with units as they are printed: `N·m` for `N*m`.
+fn typeset(words: &str) -> String {
+    let letters: Vec<char> = words.chars().collect();
+    let is_letter = |i: Option<usize>| i.and_then(|i| letters.get(i)).is_some_and(|c| c.is_alphabetic());
+    let set = |(i, c): (usize, &char)| match c {
+        '*' if is_letter(i.checked_sub(1)) && is_letter(Some(i + 1)) => '·',
+        c => *c,
+    };
+    letters.iter().enumerate().map(set).collect()
 }
 
 fn is_whole(x: f64) -> bool {

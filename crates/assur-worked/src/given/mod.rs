@@ -38,6 +38,8 @@ pub struct Data<'a> {
     pub replaced: &'a dyn Fn(&str) -> bool,
     /// There is a figure, which shows what is drawn to scale.
     pub figure: bool,
+    /// Curves have their plots, too.
+    pub plots: bool,
     /// Headings name the positions.
     pub headings: bool,
     /// Where the drives are, if that is not as the file has it.
@@ -95,7 +97,11 @@ impl<'a> Telling<'a> {
                 GivenValue::Curve(curve) => Some(curve),
                 _ => None,
             });
-            curves.for_each(|curve| blocks.extend(curve::tables(curve)));
+            for curve in curves {
+                blocks.extend(curve::tables(curve));
+                let plot = curve::plot(curve, self.data.mechanism, self.language).filter(|_| self.data.plots);
+                blocks.extend(plot.map(|plot| Block::Figures(vec![plot])));
+            }
         }
         let positions = self.positions(&lines);
         let rest = self.definitions();
