@@ -115,7 +115,7 @@ impl Named {
         this
     }
 
-    fn ask(&mut self, expr: &Expr) {
+    pub(super) fn ask(&mut self, expr: &Expr) {
         let mut of_point = |at: PointRef| match at {
             PointRef::Fixed(link, at) => {
                 self.links.push(link);
