@@ -157,12 +157,10 @@ fn structural_cause(
     checked: &Problems,
 ) -> Option<Problems> {
     let sound = check::sound_part(document, overrides);
-    let defects = structure::structure(&sound).err()?;
     if let Some(error) = super::lost::undeclared(checked, &sound, Text { source, document, overrides }) {
-        let mut lost = Problems::new();
-        lost.extend([error]);
-        return Some(lost);
+        return Some(Problems::of([error]));
     }
+    let defects = structure::structure(&sound).err()?;
     let mut structural = Problems::new();
     structural.extend(defects.into_iter().map(super::mends::with_lines));
     let proposed = structural.views(source).iter().flat_map(proposed_names).collect::<Vec<_>>();

@@ -3,11 +3,11 @@
 use super::closing::{ANGLES, MOST_LINKS, chosen, solved, with_lines};
 use super::compile::Text;
 use assur_check as check;
-use assur_model::model::{LinkId, LinkPoint, Mechanism, Value};
+use assur_model::model::{LinkId, LinkPoint, Mechanism, PairKind, Value};
 use assur_model::structure::{self, Lost, LostPair};
 use assur_position::position::BodyState;
 use assur_syntax::document::Statement;
-use assur_text::diagnostic::{Diagnosis, Fix, Problems, Undeclared};
+use assur_text::diagnostic::{Diagnosis, Fix, Problems, Undeclared, did_you_mean};
 use assur_text::units::Dimension;
 use miette::{Diagnostic, LabeledSpan};
 
@@ -36,7 +36,18 @@ pub(super) fn undeclared(errors: &Problems, mechanism: &Mechanism, text: Text<'_
         }
     }
     let names: Vec<&str> = missing.iter().map(|missing| missing.name.as_str()).collect();
-    if names.is_empty() || mechanism.links.len() > MOST_LINKS {
+    let is_slip = |name: &&str| {
+        // what has a length too
+        let slides = mechanism.pairs.iter().filter(|pair| {
+            let is_slide =
+                matches!(pair.kind, PairKind::Prismatic(_) | PairKind::Slot(_) | PairKind::Cylinder { .. });
+            is_slide && pair.bearing.is_none()
+        });
+        let known = slides.map(|pair| pair.name.as_str());
+        // one that is driven is not meant
+        did_you_mean(name, known).iter().any(|near| !is_driven(text, near))
+    };
+    if names.is_empty() || mechanism.links.len() > MOST_LINKS || names.iter().any(is_slip) {
         return None;
     }
     let ways = ways(mechanism, text, &names);
@@ -56,9 +67,16 @@ pub(super) fn undeclared(errors: &Problems, mechanism: &Mechanism, text: Text<'_
     )
 }
 
+fn is_driven(text: Text<'_>, name: &str) -> bool {
+    text.document.statements.iter().any(|statement| match &statement.node {
+        Statement::Drive(drive) => drive.target.tail.is_none() && drive.target.head.node == name,
+        _ => false,
+    })
+}
+
 /// Alternatives, each of lines that belong together.
 fn ways(mechanism: &Mechanism, text: Text<'_>, names: &[&str]) -> Vec<Vec<String>> {
-    let Lost { ways, drives } = structure::lost(mechanism);
+    let Lost { ways, drives } = structure::lost(mechanism, names.len());
     let lines = |way: &Vec<LostPair>| {
         (names.is_empty() || names.len() == way.len())
             .then(|| Way { pairs: way, drives: &drives, names, mechanism, text }.lines())
@@ -150,11 +168,9 @@ impl Way<'_> {
         named
     }
 
+    /// A cylinder is driven, or it holds nothing.
     fn is_driven(&self, name: &str) -> bool {
-        self.text.document.statements.iter().any(|statement| match &statement.node {
-            Statement::Drive(drive) => drive.target.tail.is_none() && drive.target.head.node == name,
-            _ => false,
-        })
+        is_driven(self.text, name) || self.drives.is_empty()
     }
 
     fn needs_speed(&self) -> bool {

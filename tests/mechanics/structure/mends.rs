@@ -90,6 +90,7 @@ drive A at 2 m/s
     for i in 0..6 {
         let (at, under) = (0.3 + 0.2 * f64::from(i), -0.1 - 0.1 * f64::from(i));
         texts.push((boom(at, under, ""), "cylinder c: ground.G - boom.K"));
+        texts.push((boom(at, under, "find positions"), "cylinder c: ground.G - boom.K"));
         texts.push((boom(at, under, "drive lift = 900 mm"), "cylinder lift: ground.G - boom.K"));
         texts.push((hoist(0.3 + 0.1 * at, "find velocity(B)"), "rope r: B - w4"));
         texts.push((hoist(0.3 + 0.1 * at, "find tension(b, B)\nforce Q on B = 1 kN"), "rope b: B - w4"));

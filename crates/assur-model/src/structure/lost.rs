@@ -46,15 +46,19 @@ struct Candidate {
     unlikely: usize,
 }
 
-/// What may be lost of a mechanism in which something can still move and nothing is held too often.
+/// What may be lost of a mechanism in which something can still move and nothing is held too often. Where so many pairs are named and
+/// not declared, a cylinder may end at a point that another pair uses, and it may hold nothing.
 #[must_use]
-pub fn lost(mechanism: &Mechanism) -> Lost {
+pub fn lost(mechanism: &Mechanism, named: usize) -> Lost {
     let replaced = replace::replace(mechanism);
     let efforts = effort::of_drives(mechanism, &replaced);
     let trial = Trial { mechanism, replaced: &replaced, efforts: &efforts };
-    let defect = Incidence::new(&replaced, &efforts).defect(&replaced);
-    let Some(defect) = defect.filter(|defect| defect.fit.surplus == 0) else { return Lost::default() };
-    let ways = ways(trial, &defect);
+    let defect = match Incidence::new(&replaced, &efforts).defect(&replaced) {
+        Some(defect) if defect.fit.surplus == 0 => defect,
+        None if named > 0 => return Lost { ways: idle_cylinders(mechanism, named), drives: Vec::new() },
+        _ => return Lost::default(),
+    };
+    let ways = ways(trial, &defect, named > 0);
     let drives = match ways.is_empty() {
         true => Vec::new(),
         false => missing_efforts(trial, &defect, Adds::Drives),
@@ -62,11 +66,35 @@ pub fn lost(mechanism: &Mechanism) -> Lost {
     Lost { ways, drives }
 }
 
-fn ways(trial: Trial<'_>, defect: &Defect) -> Vec<Vec<LostPair>> {
+/// Cylinders that hold nothing: what else is said of them is lost with them.
+fn idle_cylinders(mechanism: &Mechanism, named: usize) -> Vec<Vec<LostPair>> {
+    let moving: Vec<LinkId> = (1..mechanism.links.len()).map(LinkId::at).collect();
+    let mut candidates = cylinders(mechanism, &moving, false);
+    // which of more points is meant is not known
+    let idle = Idle::of(mechanism);
+    let points = mechanism
+        .links
+        .iter()
+        .enumerate()
+        .flat_map(|(i, link)| link.points.iter().map(move |p| (LinkId::at(i), p)));
+    if points.filter(|(link, point)| idle.has(*link, point)).count() != 2 * named {
+        return Vec::new();
+    }
+    candidates.sort_by_key(|candidate| candidate.unlikely);
+    let mut pairs = Vec::<LostPair>::new();
+    for candidate in candidates {
+        if pairs.len() < named && pairs.iter().all(|pair| !share(&pair.ends, &candidate.pair.ends)) {
+            pairs.push(candidate.pair);
+        }
+    }
+    if pairs.len() == named { vec![pairs] } else { Vec::new() }
+}
+
+fn ways(trial: Trial<'_>, defect: &Defect, is_named: bool) -> Vec<Vec<LostPair>> {
     let loose: Vec<LinkId> = links(trial.replaced, &defect.loose).collect();
     let mut candidates = ropes(trial.mechanism, &loose);
     if !is_structure(trial.mechanism) {
-        candidates.extend(cylinders(trial.mechanism, &loose));
+        candidates.extend(cylinders(trial.mechanism, &loose, is_named));
     }
     candidates.sort_by_key(|candidate| candidate.unlikely);
     candidates.truncate(trial.most_tried(MOST_TRIED));
@@ -98,19 +126,21 @@ fn share(one: &str, other: &str) -> bool {
     one.split(" - ").any(|end| other.split(" - ").any(|of_other| of_other == end))
 }
 
-/// Between points that nothing uses, of links of which one is loose at least.
-fn cylinders(mechanism: &Mechanism, loose: &[LinkId]) -> Vec<Candidate> {
+/// Between points that nothing uses, or one of which something uses, of links of which one is loose at least.
+fn cylinders(mechanism: &Mechanism, loose: &[LinkId], with_used: bool) -> Vec<Candidate> {
     let idle = Idle::of(mechanism);
-    let points: Vec<(LinkId, &Point)> = (0..mechanism.links.len())
+    let points: Vec<(LinkId, &Point, bool)> = (0..mechanism.links.len())
         .map(LinkId::at)
         .flat_map(|link| mechanism.link(link).points.iter().map(move |point| (link, point)))
-        .filter(|(link, point)| idle.has(*link, point))
+        .map(|(link, point)| (link, point, !idle.has(link, point)))
+        .filter(|point| with_used || !point.2)
         .take(MOST_TRIED)
         .collect();
     let mut out = Vec::new();
-    for (i, &(link, from)) in points.iter().enumerate() {
-        for &(other, to) in points.iter().skip(i + 1).filter(|(other, _)| *other != link) {
-            if !loose.contains(&link) && !loose.contains(&other) {
+    for (i, &(link, from, is_used)) in points.iter().enumerate() {
+        for &(other, to, of_other) in points.iter().skip(i + 1).filter(|point| point.0 != link) {
+            let is_loose = loose.contains(&link) || loose.contains(&other);
+            if !is_loose || is_used && of_other {
                 continue;
             }
             let profile = |link, point: &Point| Profile {
@@ -130,7 +160,9 @@ fn cylinders(mechanism: &Mechanism, loose: &[LinkId]) -> Vec<Candidate> {
                     internal: false,
                     parts: false,
                 },
-                unlikely: 1 + usize::from(!are_alike(&from.name, &to.name)),
+                unlikely: 1
+                    + usize::from(!are_alike(&from.name, &to.name))
+                    + 2 * usize::from(is_used || of_other),
             });
         }
     }
@@ -157,7 +189,7 @@ struct Idle<'a> {
 
 impl<'a> Idle<'a> {
     fn of(mechanism: &'a Mechanism) -> Self {
-        let mut named = Named::of(mechanism);
+        let mut named = Named::one_by_one(mechanism);
         mechanism.expects.iter().for_each(|expect| named.ask(&expect.expr));
         let mut points: Vec<LinkPoint> = Vec::new();
         points.extend(mechanism.drives.iter().filter_map(|drive| match drive.target {
