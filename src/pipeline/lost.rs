@@ -1,6 +1,6 @@
 //! Cylinders and ropes whose lines may be lost: lines to paste, checked as those of a file, a cylinder at a length at which it closes.
 
-use super::closing::{ANGLES, MOST_LINKS, chosen, solved, with_lines};
+use super::closing::{ANGLES, chosen, solved, with_lines};
 use super::compile::Text;
 use assur_check as check;
 use assur_model::model::{LinkId, LinkPoint, Mechanism, PairKind, Value};
@@ -11,6 +11,10 @@ use assur_text::diagnostic::{Diagnosis, Fix, Problems, Undeclared, did_you_mean}
 use assur_text::units::Dimension;
 use miette::{Diagnostic, LabeledSpan};
 
+/// In larger mechanisms no line is looked for: each takes several solutions.
+const MOST_LINKS: usize = 30;
+/// Positions from which lengths are taken.
+const MOST_POSITIONS: usize = 3;
 /// Digits of a length.
 const DIGITS: usize = 2;
 
@@ -77,12 +81,21 @@ fn is_driven(text: Text<'_>, name: &str) -> bool {
 /// Alternatives, each of lines that belong together.
 fn ways(mechanism: &Mechanism, text: Text<'_>, names: &[&str]) -> Vec<Vec<String>> {
     let Lost { ways, drives } = structure::lost(mechanism, names.len());
-    let lines = |way: &Vec<LostPair>| {
-        (names.is_empty() || names.len() == way.len())
-            .then(|| Way { pairs: way, drives: &drives, names, mechanism, text }.lines())
-            .flatten()
+    let holds_nothing = drives.is_empty();
+    let attempt = |bodies: Option<&[BodyState]>| -> Vec<Vec<String>> {
+        let of_names = ways.iter().filter(|way| names.is_empty() || names.len() == way.len());
+        let lines =
+            of_names.filter_map(|pairs| Way { pairs, bodies, names, holds_nothing, mechanism, text }.lines());
+        lines.collect()
     };
-    ways.iter().filter_map(lines).collect()
+    let found = attempt(None);
+    let Some(drives) = ways.first().and_then(|way| drives.get(..way.len())).filter(|_| found.is_empty())
+    else {
+        return found;
+    };
+    let positions = ANGLES.iter().filter_map(|angle| driven(text, drives, angle)).take(MOST_POSITIONS);
+    let mut found = positions.map(|bodies| attempt(Some(&bodies)));
+    found.find(|found| !found.is_empty()).unwrap_or_default()
 }
 
 fn words(ways: &[Vec<String>]) -> String {
@@ -107,10 +120,11 @@ fn words(ways: &[Vec<String>]) -> String {
 /// Statements that may be lost together.
 struct Way<'a> {
     pairs: &'a [LostPair],
-    /// What can be driven in place of the cylinders.
-    drives: &'a [String],
+    /// Where everything is with drives of links in place of those of the cylinders.
+    bodies: Option<&'a [BodyState]>,
     /// The names that the statements have.
     names: &'a [&'a str],
+    holds_nothing: bool,
     mechanism: &'a Mechanism,
     text: Text<'a>,
 }
@@ -118,29 +132,16 @@ struct Way<'a> {
 impl Way<'_> {
     /// The lines, where the text is right with them.
     fn lines(&self) -> Option<Vec<String>> {
-        let pairs = self.statements();
-        if self
-            .pairs
-            .iter()
-            .zip(&pairs)
-            .all(|(pair, line)| pair.cylinder.is_none() || self.is_driven(&line.0))
-        {
-            return self.closing(pairs.into_iter().map(|(_, line)| line).collect());
+        let mut lines = Vec::new();
+        for (pair, (name, line)) in self.pairs.iter().zip(self.statements()) {
+            lines.push(line);
+            let Some(ends) = pair.cylinder.filter(|_| !self.is_driven(&name)) else { continue };
+            let length = Value::Scalar(distance(self.bodies?, ends));
+            let length = self.mechanism.display_of(Dimension::LENGTH).text(length, DIGITS);
+            let speed = if self.needs_speed() { " at 10 mm/s" } else { "" };
+            lines.push(format!("drive {name} = {length}{speed}"));
         }
-        ANGLES.iter().find_map(|angle| {
-            let bodies = self.driven(angle)?;
-            let mut lines = Vec::new();
-            let statements = pairs.iter().zip(self.pairs);
-            for ((name, line), pair) in statements.clone() {
-                lines.push(line.clone());
-                let Some(ends) = pair.cylinder.filter(|_| !self.is_driven(name)) else { continue };
-                let length = distance(&bodies, ends);
-                let length = self.mechanism.display_of(Dimension::LENGTH).text(Value::Scalar(length), DIGITS);
-                let speed = if self.needs_speed() { " at 10 mm/s" } else { "" };
-                lines.push(format!("drive {name} = {length}{speed}"));
-            }
-            self.closing(lines)
-        })
+        self.closing(lines)
     }
 
     /// The names and the lines of the pairs.
@@ -168,9 +169,9 @@ impl Way<'_> {
         named
     }
 
-    /// A cylinder is driven, or it holds nothing.
+    /// A cylinder is driven, or it holds nothing and others are driven.
     fn is_driven(&self, name: &str) -> bool {
-        is_driven(self.text, name) || self.drives.is_empty()
+        is_driven(self.text, name) || self.holds_nothing
     }
 
     fn needs_speed(&self) -> bool {
@@ -189,19 +190,19 @@ impl Way<'_> {
         }
         chosen(lines, |lines| solved(&super::closing::checked(lines, self.text)?)).map(|(lines, _)| lines)
     }
+}
 
-    /// Where everything is with drives of links in place of those of the cylinders.
-    fn driven(&self, angle: &str) -> Option<Vec<BodyState>> {
-        let drives = self.drives.iter().take(self.pairs.len()).map(|line| match line.split_once(" = ") {
-            Some((place, value)) if value.contains("deg") => format!("{place} = {angle}"),
-            _ => line.clone(),
-        });
-        let closes = |lines: &[String]| {
-            let document = with_lines(lines, self.text)?;
-            solved(&check::sound_part(&document, self.text.overrides))
-        };
-        chosen(drives.collect(), closes).map(|(_, bodies)| bodies)
-    }
+/// Where everything is with drives at this angle.
+fn driven(text: Text<'_>, drives: &[String], angle: &str) -> Option<Vec<BodyState>> {
+    let drives = drives.iter().map(|line| match line.split_once(" = ") {
+        Some((place, value)) if value.contains("deg") => format!("{place} = {angle}"),
+        _ => line.clone(),
+    });
+    let closes = |lines: &[String]| {
+        let document = with_lines(lines, text)?;
+        solved(&check::sound_part(&document, text.overrides))
+    };
+    chosen(drives.collect(), closes).map(|(_, bodies)| bodies)
 }
 
 fn distance(bodies: &[BodyState], ends: [LinkPoint; 2]) -> f64 {
