@@ -2,8 +2,8 @@
 
 use assur_math::math::Vec2;
 use assur_model::model::{
-    DriveTarget, Expr, Guide, Hint, HintKind, LinkId, Mechanism, Pair, PairId, PairKind, Positions, Profile,
-    ProfileShape, Value,
+    Drive, DriveId, DriveTarget, Expr, Guide, Hint, HintKind, Law, LinkId, Mechanism, Pair, PairId, PairKind,
+    Positions, Profile, ProfileShape, Rate, Value,
 };
 use assur_model::structure::{self, Spare};
 use assur_position::plan;
@@ -44,15 +44,17 @@ struct Position {
     size: f64,
     /// Values of the drives.
     at: String,
+    /// The coordinates of which the law of a transmission speaks, rad or m.
+    coordinates: Vec<f64>,
 }
 
 impl Position {
     fn fits(&self) -> bool {
-        self.misfit.apart.abs() <= FITS * self.size && self.misfit.turned <= FITS
+        self.misfit.apart.abs() <= FITS * self.size && self.misfit.turned.abs() <= FITS
     }
 
     fn worst(&self) -> f64 {
-        self.misfit.apart.abs() + self.misfit.turned * self.size
+        self.misfit.apart.abs() + self.misfit.turned.abs() * self.size
     }
 }
 
@@ -63,10 +65,6 @@ pub(super) fn tell(mechanism: &Mechanism, errors: &mut [Diagnosis]) {
         return;
     }
     let help = Diagnostic::help(error).map(|help| help.to_string()).unwrap_or_default();
-    // two points of one link at one pin, and links that are welded: that says it
-    if help.contains("cannot hold") || error.to_string().contains("indeterminate") {
-        return;
-    }
     if let Some(said) = structure::spare(mechanism).and_then(|spare| words(mechanism, spare)) {
         *error = error.clone().help(format!("{help};\n{said}"));
     }
@@ -79,6 +77,7 @@ fn words(mechanism: &Mechanism, spare: Spare) -> Option<String> {
             format!("`{} {}`", pair.kind.word(), pair.name)
         }
         Spare::Link(link) => format!("`{}`", mechanism.link(link).name),
+        Spare::Drive(drive) => format!("`drive {}`", mechanism.drives[drive.index()].written_name()),
     };
     let left = super::equilibrium::at_rest(&spare.taken_out(mechanism)?);
     let mut search = Search { mechanism, spare, solved: 0, is_whole: true, is_choice: false };
@@ -86,20 +85,112 @@ fn words(mechanism: &Mechanism, spare: Spare) -> Option<String> {
     let at = if first.at.is_empty() { String::new() } else { format!(" at {}", first.at) };
     let best = if search.is_choice { ", in the assembly where it fits best" } else { "" };
     if !first.fits() {
-        return Some(format!("without {name} its ends are {}{best}", gap(mechanism, spare, &first, &at)));
+        return Some(match spare {
+            Spare::Drive(drive) => format!("without {name} {}{best}", value(mechanism, drive, &first, &at)?),
+            _ => format!("without {name} its ends are {}{best}", gap(mechanism, spare, &first, &at)),
+        });
     }
     let steps = [STEP, -STEP].iter();
     let others: Vec<Position> = steps.filter_map(|step| search.best(&moved(&left, *step)?)).collect();
+    let same = format!(
+        "the motion is the same without {name}: it repeats what others hold, and no equation determines the forces in it"
+    );
+    if let Some(law) = law(mechanism, spare) {
+        // which of several assemblies is meant is not known
+        if search.is_choice {
+            return None;
+        }
+        let uneven = others.iter().find_map(|other| uneven(mechanism, law, &first, other));
+        return match uneven {
+            Some(uneven) => Some(format!("without {name} {uneven}")),
+            None => (!others.is_empty()).then_some(same),
+        };
+    }
+    let (is, wanted) = match spare {
+        Spare::Drive(_) => ("its value is", "what it asks for"),
+        _ => ("its ends are", "where it wants them"),
+    };
     Some(match others.as_slice() {
         _ if first.at.is_empty() => {
             format!("{name} fits as it is, but no equation determines the forces in it")
         }
-        [] => format!("without {name} its ends are where it wants them{at}"),
-        others if others.iter().all(Position::fits) => format!(
-            "the motion is the same without {name}: it repeats what others hold, and no equation determines the forces in it"
-        ),
-        _ => format!("without {name} its ends are where it wants them{at}, but not at other positions"),
+        [] => format!("without {name} {is} {wanted}{at}"),
+        others if others.iter().all(Position::fits) => same,
+        _ => format!("without {name} {is} {wanted}{at}, but not at other positions"),
     })
+}
+
+/// The law of a transmission, where it has one.
+fn law(mechanism: &Mechanism, spare: Spare) -> Option<&Law> {
+    let Spare::Pair(pair) = spare else { return None };
+    match &mechanism.pair(pair).kind {
+        PairKind::Transmission(transmission) => match transmission.laws.as_slice() {
+            [law] => Some(law),
+            _ => None,
+        },
+        _ => None,
+    }
+}
+
+/// ``from crank = 40 deg to 50.8 deg `b` turns by 9.1 deg, and it wants 10.8 deg``, where the law does not hold.
+fn uneven(mechanism: &Mechanism, law: &Law, first: &Position, other: &Position) -> Option<String> {
+    let went = |i: usize| {
+        let by = other.coordinates[i] - first.coordinates[i];
+        match law.terms[i].0 {
+            Rate::Turn(_) => wrapped(by),
+            Rate::Slide(_) => by,
+        }
+    };
+    // the second side follows the first
+    let (rate, coefficient) = law.terms.get(1)?;
+    let sum: f64 = (0..law.terms.len()).filter(|i| *i != 1).map(|i| law.terms[i].1 * went(i)).sum();
+    let wanted = -sum / coefficient;
+    let (name, verb) = match rate {
+        Rate::Turn(link) => (&mechanism.link(*link).name, "turns"),
+        Rate::Slide(pair) => (&mechanism.pair(*pair).name, "goes"),
+    };
+    let text = |x: f64| match rate {
+        Rate::Turn(_) => format!("{} deg", significant(x.to_degrees(), DIGITS)),
+        Rate::Slide(_) => mechanism.display_of(Dimension::LENGTH).text(Value::Scalar(x), DIGITS),
+    };
+    ((went(1) - wanted).abs() > FITS * wanted.abs().max(1.0)).then(|| {
+        format!(
+            "`{name}` {verb} by {} from {} to {}, and it wants {}",
+            text(went(1)),
+            first.at,
+            other.at,
+            text(wanted)
+        )
+    })
+}
+
+/// An angle within half a turn.
+fn wrapped(angle: f64) -> f64 {
+    angle - TAU * (angle / TAU).round()
+}
+
+/// `its value is 83.1 deg at crank = 40 deg, and it asks for 90 deg`
+fn value(mechanism: &Mechanism, drive: DriveId, first: &Position, at: &str) -> Option<String> {
+    let wanted = first_value(&mechanism.drives[drive.index()])?;
+    let text = |x: f64| match mechanism.drives[drive.index()].target {
+        DriveTarget::Link(_) => format!("{} deg", significant(x.to_degrees(), DIGITS)),
+        _ => mechanism.display_of(Dimension::LENGTH).text(Value::Scalar(x), DIGITS),
+    };
+    let is = wanted + first.misfit.apart + first.misfit.turned;
+    Some(format!("its value is {}{at}, and it asks for {}", text(is), text(wanted)))
+}
+
+/// The first position of a drive.
+fn first_value(drive: &Drive) -> Option<f64> {
+    let first = match &drive.positions {
+        Positions::List(values) => values.first()?,
+        Positions::Range { from, .. } => from,
+        Positions::None | Positions::Numbers(_) => return None,
+    };
+    match first {
+        Expr::Constant(Value::Scalar(value)) => Some(*value),
+        _ => None,
+    }
 }
 
 /// `1.31 m apart at crank = 40 deg, and it is 1.2 m long`
@@ -109,7 +200,7 @@ fn gap(mechanism: &Mechanism, spare: Spare, first: &Position, at: &str) -> Strin
     let turned_words = format!("turned by {} deg", significant(turned.to_degrees(), DIGITS));
     let bar = match spare {
         Spare::Link(link) => bar(mechanism, link),
-        Spare::Pair(_) => None,
+        Spare::Pair(_) | Spare::Drive(_) => None,
     };
     match bar {
         Some([one, other]) => {
@@ -127,12 +218,7 @@ pub(super) fn moved(left: &Mechanism, step: f64) -> Option<Mechanism> {
     let mut moved = left.clone();
     let size = left.links.iter().flat_map(|link| &link.points).map(|p| p.at.norm()).fold(0.0, f64::max);
     for drive in &mut moved.drives {
-        let first = match &drive.positions {
-            Positions::List(values) => values.first()?.clone(),
-            Positions::Range { from, .. } => from.clone(),
-            Positions::None | Positions::Numbers(_) => return None,
-        };
-        let Expr::Constant(Value::Scalar(value)) = first else { return None };
+        let value = first_value(drive)?;
         let is_angle = match drive.target {
             DriveTarget::Link(_) => true,
             DriveTarget::Pair(pair) => matches!(left.pair(pair).kind, PairKind::Revolute(_)),
@@ -198,9 +284,13 @@ impl Search<'_> {
                 let pose = solution.poses.pop()?;
                 match pose.outcome {
                     Ok(solved) => {
-                        let misfit = misfit(self.mechanism, self.spare, &solved.state.motion.bodies)?;
+                        let bodies = &solved.state.motion.bodies;
+                        let misfit = misfit(self.mechanism, self.spare, bodies)?;
+                        let coordinates = law(self.mechanism, self.spare)
+                            .map(|law| coordinates(self.mechanism, law, bodies))
+                            .unwrap_or_default();
                         let at = drive_text(&model, &pose.drives);
-                        return Some(Ok(Position { misfit, size: extent(&model), at }));
+                        return Some(Ok(Position { misfit, size: extent(&model), at, coordinates }));
                     }
                     Err(failure) => failure,
                 }
@@ -300,6 +390,7 @@ fn misfit(mechanism: &Mechanism, spare: Spare, bodies: &[BodyState]) -> Option<M
             };
             return Some(Misfit { apart, turned });
         }
+        Spare::Drive(drive) => return of_drive(mechanism, &mechanism.drives[drive.index()], bodies),
     };
     let apart = match pair {
         PairKind::Revolute(pins) => {
@@ -313,10 +404,53 @@ fn misfit(mechanism: &Mechanism, spare: Spare, bodies: &[BodyState]) -> Option<M
             turned = libm::atan2(own.cross(along), own.dot(along)).abs();
             off(g, at((g.slider, g.point)))
         }
+        // what its law says of other positions is looked at apart
+        PairKind::Transmission(transmission) if transmission.laws.len() == 1 => 0.0,
         PairKind::Contact { first, second, internal, .. } => of_contact(bodies, [first, second], *internal)?,
         _ => return None,
     };
     Some(Misfit { apart, turned })
+}
+
+/// By how much a drive is not where it is to be.
+fn of_drive(mechanism: &Mechanism, drive: &Drive, bodies: &[BodyState]) -> Option<Misfit> {
+    let wanted = first_value(drive)?;
+    match (&drive.positions, drive.target) {
+        // others may go on with it
+        (Positions::List(values), _) if values.len() > 1 => None,
+        (Positions::List(_), DriveTarget::Link(link)) => {
+            Some(Misfit { apart: 0.0, turned: wrapped(turn(&bodies[link.index()]) - wanted) })
+        }
+        (Positions::List(_), DriveTarget::Pair(pair)) => {
+            Some(Misfit { apart: coordinate(mechanism, pair, bodies)? - wanted, turned: 0.0 })
+        }
+        _ => None,
+    }
+}
+
+fn turn(body: &BodyState) -> f64 {
+    libm::atan2(body.u.y, body.u.x)
+}
+
+/// The coordinate of a slide, or the length of a cylinder.
+fn coordinate(mechanism: &Mechanism, pair: PairId, bodies: &[BodyState]) -> Option<f64> {
+    let at = |link: LinkId, at: Vec2| bodies[link.index()].position(at);
+    match &mechanism.pair(pair).kind {
+        PairKind::Prismatic(g) | PairKind::Slot(g) => {
+            let along = g.along.turned(bodies[g.guide.index()].u);
+            Some(along.dot(at(g.slider, g.point) - at(g.guide, g.through)))
+        }
+        PairKind::Cylinder { from, to, .. } => Some((at(from.link, from.at) - at(to.link, to.at)).norm()),
+        _ => None,
+    }
+}
+
+fn coordinates(mechanism: &Mechanism, law: &Law, bodies: &[BodyState]) -> Vec<f64> {
+    let of = |rate: &Rate| match rate {
+        Rate::Turn(link) => turn(&bodies[link.index()]),
+        Rate::Slide(pair) => coordinate(mechanism, *pair, bodies).unwrap_or(0.0),
+    };
+    law.terms.iter().map(|(rate, _)| of(rate)).collect()
 }
 
 /// By how much two profiles do not touch.

@@ -109,7 +109,7 @@ fn look_with(
 }
 
 /// The first row of a table of variants.
-fn first_row(document: &Document) -> Option<check::Row> {
+pub(super) fn first_row(document: &Document) -> Option<check::Row> {
     let table = check::table(document)?;
     let columns: Arc<[check::RowColumn]> = check::columns(document, &Overrides::none(), table).0?.into();
     Some(check::file_rows(table, &columns).into_iter().next()?.row)
@@ -156,7 +156,11 @@ fn structural_cause(
     overrides: &Overrides,
     checked: &Problems,
 ) -> Option<Problems> {
-    let defects = structure::structure(&check::sound_part(document, overrides)).err()?;
+    let sound = check::sound_part(document, overrides);
+    if let Some(error) = super::lost::undeclared(checked, &sound, Text { source, document, overrides }) {
+        return Some(Problems::of([error]));
+    }
+    let defects = structure::structure(&sound).err()?;
     let mut structural = Problems::new();
     structural.extend(defects.into_iter().map(super::mends::with_lines));
     let proposed = structural.views(source).iter().flat_map(proposed_names).collect::<Vec<_>>();
@@ -214,7 +218,7 @@ pub(super) fn plan_mechanism(
         Err(mut errors) => {
             super::agrees::tell(&mechanism, &mut errors);
             let with_fixes = |error| match text {
-                Some(text) => super::mends::with_fixes(error, text),
+                Some(text) => super::mends::with_fixes(error, &mechanism, text),
                 None => error,
             };
             problems.extend(errors.into_iter().map(with_fixes));

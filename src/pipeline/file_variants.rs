@@ -1,6 +1,6 @@
 //! The rows of a file's own table of variants.
 
-use super::compile::{Compiled, compile_document};
+use super::compile::{Compiled, compile_document, first_row};
 use super::followed::{is_long, most_written, too_many};
 use super::solved::Solved;
 use super::variant_solver::VariantSolver;
@@ -126,7 +126,7 @@ pub fn look_at(source: &Source, overrides: &Overrides) -> (Option<Compiled>, Pro
             found.append(problems);
             (compiled, found)
         }
-        Some(Err(problems)) => (None, problems),
+        Some(Err(problems)) => (None, of_first_row(source, &document, overrides).unwrap_or(problems)),
         None => {
             let (compiled, mut problems) = compile_document(source, &document, found, overrides);
             if let Some(compiled) = compiled.as_ref().filter(|_| !problems.has_errors()) {
@@ -138,6 +138,13 @@ pub fn look_at(source: &Source, overrides: &Overrides) -> (Option<Compiled>, Pro
             (compiled, problems)
         }
     }
+}
+
+/// What is wrong with a file whatever the row, as with the values of the first: with all that a help can try in the text.
+fn of_first_row(source: &Source, document: &Arc<Document>, overrides: &Overrides) -> Option<Problems> {
+    let overrides = Overrides { row: first_row(document)?, ..overrides.clone() };
+    let (_, problems) = compile_document(source, document, Problems::new(), &overrides);
+    problems.has_errors().then_some(problems)
 }
 
 /// What `solve` would find at once, as warnings, since the structure is sound: that `assemble` is missing, and more positions than a

@@ -3,6 +3,7 @@
 
 use super::compile::Text;
 use assur_check as check;
+use assur_model::model::Mechanism;
 use assur_model::structure;
 use assur_syntax as syntax;
 use assur_syntax::document::{Document, Joint, Statement};
@@ -21,9 +22,10 @@ pub(super) fn with_lines(error: Diagnosis) -> Diagnosis {
 }
 
 /// The error with the edits that its help proposes.
-pub(super) fn with_fixes(error: Diagnosis, text: Text<'_>) -> Diagnosis {
+pub(super) fn with_fixes(error: Diagnosis, mechanism: &Mechanism, text: Text<'_>) -> Diagnosis {
     if text.document.statements.len() <= MOST_STATEMENTS {
         let error = super::closing::that_closes(in_full(error, text), text);
+        let error = super::lost::or_lost(error, mechanism, text);
         with_lines(of_surplus(error, text))
     } else {
         with_lines(error)

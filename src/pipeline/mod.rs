@@ -8,6 +8,7 @@ mod dimensions;
 mod equilibrium;
 mod file_variants;
 mod followed;
+mod lost;
 mod mends;
 mod open_sizes;
 mod repeated;

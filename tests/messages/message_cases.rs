@@ -20,6 +20,7 @@ const CASES: &[(&str, usize, &str, &[&str])] = &[
         "syntax::missing_word",
         &["write: balance torque Mb on crank"],
     ),
+    ("use3/messages/wheel-misspelt-without-a-size", 1, "syntax::misspelt_word", &["write `wheel`"]),
     ("use3/messages/mass-at-unknown-point", 1, "name::unknown", &["did you mean `S`?"]),
     ("use3/messages/ground-point-missing", 1, "geometry::nothing_to_join", &["add `D (100 mm, 0)`"]),
     ("use3/messages/force-polar-comma", 1, "unit::mismatch", &["write `3 kN @ 180 deg`"]),

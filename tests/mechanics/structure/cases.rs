@@ -8,6 +8,12 @@ use std::path::Path;
 type Case = (&'static str, &'static str, &'static [&'static str]);
 
 const CASES: &[Case] = &[
+    (
+        "cylinders-lost",
+        "underconstrained",
+        &["  cylinder c1: ground.G1 - boom.K1\n  drive c1 = 2.3 m\n  cylinder c2"],
+    ),
+    ("rope-lost", "underconstrained", &["a rope may be missing: add the line\n  rope r: B - w4"]),
     ("01-six-bar-without-E", "underconstrained", &["  revolute E: rocker - rod"]),
     ("02-six-bar-without-D", "underconstrained", &["  revolute D: ground - rocker"]),
     ("03-six-bar-without-guide", "underconstrained", &["  prismatic G: ram.F - ground.way"]),
@@ -102,6 +108,8 @@ const CASES: &[Case] = &[
 /// Sound, or wrong in another way than by structure: what was right stays right.
 const OTHERS: &[(&str, Option<&str>)] = &[
     ("09-watt-pair-doubled", Some("mech::geometry::stated_twice")),
+    ("cylinder-driven-and-lost", Some("mech::name::unknown")),
+    ("ropes-asked-and-lost", Some("mech::name::unknown")),
     ("09b-watt-pair-doubled", Some("mech::geometry::joined_twice")),
     ("12-free-roller", None),
     ("held-twice-help", Some("mech::determinacy::not_parallel")),

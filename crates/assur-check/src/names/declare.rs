@@ -5,7 +5,7 @@ use crate::names::lookalikes::Scope;
 use crate::statements::written::written;
 use assur_model::model::{BalanceId, LinkId, LoadId};
 use assur_syntax::document::{Bad, Body, CamMember, End, ExprKind, Joint, Member, Name, Statement};
-use assur_text::diagnostic::Diagnosis;
+use assur_text::diagnostic::{Diagnosis, did_you_mean};
 use assur_text::source::{Span, Spanned};
 use indexmap::IndexMap;
 
@@ -107,6 +107,7 @@ fn things(cx: &mut Scope<'_, '_>, statement: &Statement, span: Span) {
         }
         Statement::Shaft(shaft) => {
             element(cx, &shaft.name, ThingKind::Shaft, &shaft.body);
+            misspelt_wheels(cx, &shaft.body);
         }
         Statement::Slider(slider) => {
             element(cx, &slider.name, ThingKind::Slider, &slider.body);
@@ -183,6 +184,18 @@ fn wheels(cx: &mut Scope<'_, '_>, body: &Body) {
     for member in body {
         if let Member::Wheel(wheel) = &member.node {
             thing(cx, &wheel.name, ThingKind::Wheel);
+        }
+    }
+}
+
+/// `whel w1` in a shaft: its word is reported, and the name is not missed.
+fn misspelt_wheels(cx: &mut Scope<'_, '_>, body: &Body) {
+    for member in body {
+        if let Member::Point(point) = &member.node
+            && let ExprKind::Name(name) = &point.at.kind
+            && !did_you_mean(&point.name.node, ["wheel"]).is_empty()
+        {
+            cx.names.bad.insert(name.clone());
         }
     }
 }

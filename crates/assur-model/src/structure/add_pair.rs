@@ -318,8 +318,11 @@ fn contacts(mechanism: &Mechanism, uses: &Uses<'_>, couples: &[[LinkId; 2]]) -> 
 /// Gear pairs of wheels that nothing runs on yet: each with such a wheel of what is loose, else with any wheel of that.
 pub(super) fn missing_meshes(trial: Trial<'_>, defect: &Defect) -> Vec<String> {
     let wheels = &trial.mechanism.wheels;
-    let idle: Vec<&Wheel> =
-        wheels.iter().filter(|w| running(trial.mechanism, w).next().is_none()).take(MOST_TRIED).collect();
+    let idle: Vec<&Wheel> = wheels
+        .iter()
+        .filter(|w| running(trial.mechanism, &w.name).next().is_none())
+        .take(MOST_TRIED)
+        .collect();
     let loose: Vec<LinkId> = links(trial.replaced, &defect.loose).collect();
     let of_loose = |wheels: &[&Wheel]| meshes(trial.mechanism, &loose, wheels, &idle);
     let both_idle = of_loose(&idle);
@@ -388,11 +391,11 @@ fn can_mesh(a: &Wheel, b: &Wheel) -> bool {
     (of_a - of_b).abs() <= SAME * of_a
 }
 
-/// The transmissions in which a wheel runs.
-fn running<'m>(mechanism: &'m Mechanism, wheel: &'m Wheel) -> impl Iterator<Item = &'m [String]> {
+/// The transmissions in which a wheel or a slider runs.
+pub(super) fn running<'m>(mechanism: &'m Mechanism, name: &'m str) -> impl Iterator<Item = &'m [String]> {
     mechanism.pairs.iter().filter_map(move |pair| match &pair.kind {
         PairKind::Transmission(t) => {
-            let is_end = |end: &String| end.split(['(', ')']).any(|word| word == wheel.name);
+            let is_end = |end: &String| end.split(['(', ')']).any(|word| word == name);
             t.ends.iter().any(is_end).then_some(t.ends.as_slice())
         }
         _ => None,
@@ -416,7 +419,7 @@ fn is_ring(ring: &Wheel, sun: &Wheel, planet: &Wheel) -> bool {
 
 /// The wheels with which a wheel runs.
 fn beside<'m>(mechanism: &'m Mechanism, wheel: &'m Wheel) -> impl Iterator<Item = &'m Wheel> {
-    running(mechanism, wheel).flat_map(|ends| {
+    running(mechanism, &wheel.name).flat_map(|ends| {
         let others = mechanism.wheels.iter().filter(|other| other.name != wheel.name);
         others.filter(|other| ends.contains(&other.name))
     })

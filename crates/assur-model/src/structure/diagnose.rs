@@ -9,7 +9,6 @@ use super::count::Count;
 use super::defect::{Defect, Fit, Part};
 use super::effort::{Effort, EffortSource};
 use super::generic::Split;
-use super::incidence::Incidence;
 use super::joint::{BodyId, JointKind, Replaced};
 use super::leave_out::{Mend, Repair, Sort};
 use super::place;
@@ -193,18 +192,16 @@ fn moving(trial: Trial<'_>, part: &Part) -> Vec<BodyId> {
 }
 
 /// `` `a` and `b` have 6 freedoms and lose 7 at the marked joints ``
-fn sum(trial: Trial<'_>, part: &Part) -> String {
+fn sum(repair: Repair<'_>) -> String {
+    let Repair { trial, part, .. } = repair;
     let moving = moving(trial, part);
     let names = names(trial.mechanism, links(trial.replaced, &moving));
     let (free, taken) = (counted(part.freedoms, "freedom"), part.taken());
     if let Some(why) = locked(trial.mechanism, part) {
         return why;
     }
-    let split = Incidence::new(trial.replaced, trial.efforts).split();
-    let pair = split.map(|split| trial.replaced.joint(split.joint).pair);
-    if let (Some(split), Some(pair)) = (split, pair)
-        && part.pairs.iter().any(|p| p.0 == pair)
-    {
+    if let Some(split) = repair.split() {
+        let pair = trial.replaced.joint(split.joint).pair;
         let why = together_words(trial.mechanism, trial.replaced, split);
         return format!("{} cannot hold: {why}", statement(trial.mechanism, pair));
     }
@@ -239,7 +236,7 @@ fn to_leave_out(trial: Trial<'_>, defect: &Defect) -> String {
 }
 
 /// Two shafts at speeds of their own, with a clutch between them that does not slip.
-fn slipping(trial: Trial<'_>, part: &Part) -> Option<String> {
+pub(super) fn slipping(trial: Trial<'_>, part: &Part) -> Option<String> {
     let mechanism = trial.mechanism;
     let ([(pair, _)], [_, _]) = (part.pairs.as_slice(), part.efforts.as_slice()) else { return None };
     let PairKind::Transmission(t) = &mechanism.pair(*pair).kind else { return None };
@@ -267,7 +264,7 @@ fn of_part(repair: Repair<'_>) -> String {
     if let Some(text) = slipping(trial, part) {
         return text;
     }
-    let sum = sum(trial, part);
+    let sum = sum(repair);
     if let Some([first, second]) = repair.repeated() {
         let name = |p| &trial.mechanism.pair(p).name;
         return format!("`{}` repeats `{}`: leave out one of them", name(second), name(first));

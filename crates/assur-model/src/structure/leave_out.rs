@@ -2,14 +2,17 @@
 //! it.
 
 use super::defect::{Defect, Fit, Part};
+use super::diagnose::slipping;
 use super::effort::{self, Effort, EffortKind, EffortSource};
+use super::generic::Split;
 use super::incidence::Incidence;
 use super::order::{Named, Order, Rank};
 use super::replace;
 use super::trial::{Change, Outcome, Statement, Trial, leave_out, leave_out_link};
+use super::weld_defects;
 use super::words::{drive_statement, is_structure, line, pairs_of, statement};
 use crate::math::Vec2;
-use crate::model::{Guide, LinkId, Mechanism, PairId, PairKind, Pin, Rate};
+use crate::model::{DriveId, Guide, LinkId, Mechanism, PairId, PairKind, Pin, Rate};
 
 /// Changes tried of each sort.
 const MOST_TRIED: usize = 48;
@@ -60,19 +63,31 @@ pub fn spare(mechanism: &Mechanism) -> Option<Spare> {
     let trial = Trial { mechanism, replaced: &replaced, efforts: &efforts };
     let defect = Incidence::new(&replaced, &efforts).defect(&replaced)?;
     let [part] = defect.over.as_slice() else { return None };
-    let mends = Repair { trial, defect: &defect, part }.mends();
+    let repair = Repair { trial, defect: &defect, part };
+    // two points of one link at one pin, a clutch that has to slip, and links that are welded: that says it
+    if repair.split().is_some()
+        || slipping(trial, part).is_some()
+        || !weld_defects::defects(mechanism, &replaced).is_empty()
+    {
+        return None;
+    }
+    let mends = repair.mends();
     match mends.into_iter().find(|mend| mend.heals)?.left_out? {
         Statement::Pair(pair) => Some(Spare::Pair(pair)),
         Statement::Link(link) => Some(Spare::Link(link)),
-        Statement::Effort(_) => None,
+        Statement::Effort(effort) => match efforts[effort].source {
+            EffortSource::Drive(drive) if efforts.len() > 1 => Some(Spare::Drive(drive)),
+            _ => None,
+        },
     }
 }
 
-/// A pair, or a link with its pairs.
+/// A pair, a link with its pairs, or one of several drives.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Spare {
     Pair(PairId),
     Link(LinkId),
+    Drive(DriveId),
 }
 
 impl Spare {
@@ -83,6 +98,9 @@ impl Spare {
         match self {
             Self::Pair(pair) => {
                 leave_out(&mut left.pairs[pair.index()].kind);
+            }
+            Self::Drive(drive) => {
+                left.drives.remove(drive.index());
             }
             Self::Link(link) => {
                 let own = pairs_of(mechanism, link);
@@ -106,6 +124,13 @@ pub(super) struct Repair<'a> {
 }
 
 impl Repair<'_> {
+    /// Two points of one link that pins of the part would bring together.
+    pub(super) fn split(&self) -> Option<Split> {
+        let split = Incidence::new(self.trial.replaced, self.trial.efforts).split()?;
+        let pair = self.trial.replaced.joint(split.joint).pair;
+        self.part.pairs.iter().any(|own| own.0 == pair).then_some(split)
+    }
+
     /// The changes that make the part sound, each by itself, the likeliest first; where some make the whole sound, those alone.
     pub(super) fn mends(&self) -> Vec<Mend> {
         let mut mends: Vec<Mend> = Vec::new();

@@ -20,6 +20,7 @@ mod joint;
 mod leave_out;
 mod letters;
 mod lines;
+mod lost;
 #[doc(hidden)]
 pub mod matching;
 mod order;
@@ -45,6 +46,7 @@ pub use group::{Dyad, Group, GroupKind};
 pub use joint::GroupJoint;
 pub use joint::{Body, BodyId, BodyOrigin, BodyRate, Joint, JointId, JointKind, Part, Replaced};
 pub use leave_out::{Spare, spare};
+pub use lost::{Lost, LostPair, lost};
 pub use parting::start_what_parts;
 
 use crate::model::Mechanism;

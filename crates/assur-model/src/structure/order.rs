@@ -8,7 +8,7 @@ use super::uses::Uses;
 use super::words::{ends, is_structure, pairs_of};
 use crate::math::Vec2;
 use crate::model::{
-    Expr, FindKind, LinkId, Load, LoadKind, Mechanism, PairId, PairKind, Place, PointRef, Query,
+    Expr, Find, FindKind, LinkId, Load, LoadKind, Mechanism, PairId, PairKind, Place, PointRef, Query,
 };
 
 /// Signs that a pair is too many, each in points.
@@ -93,12 +93,23 @@ pub(super) struct Named {
 
 impl Named {
     pub(super) fn of(mechanism: &Mechanism) -> Self {
-        let mut this = Self::default();
+        let mut this = Self::one_by_one(mechanism);
         for find in &mechanism.finds {
             match &find.kind {
                 FindKind::Value { expr, .. } => this.ask(expr),
                 FindKind::Table(table) => table.questions().for_each(|expr| this.ask(expr)),
                 FindKind::Reactions => {}
+            }
+        }
+        this
+    }
+
+    /// Without what asks for all there is, as `find positions`.
+    pub(super) fn one_by_one(mechanism: &Mechanism) -> Self {
+        let mut this = Self::default();
+        for of_item in mechanism.finds.chunk_by(|a, b| a.span == b.span) {
+            if let [Find { kind: FindKind::Value { expr, .. }, .. }] = of_item {
+                this.ask(expr);
             }
         }
         mechanism.quantities.iter().for_each(|quantity| this.ask(&quantity.expr));
@@ -115,7 +126,7 @@ impl Named {
         this
     }
 
-    fn ask(&mut self, expr: &Expr) {
+    pub(super) fn ask(&mut self, expr: &Expr) {
         let mut of_point = |at: PointRef| match at {
             PointRef::Fixed(link, at) => {
                 self.links.push(link);

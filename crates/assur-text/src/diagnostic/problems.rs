@@ -107,6 +107,11 @@ impl Problems {
         self.more_warnings += later.more_warnings;
     }
 
+    /// Names that are used and not declared.
+    pub fn undeclared(&self) -> impl Iterator<Item = &Undeclared> {
+        self.items.iter().filter_map(|problem| problem.undeclared())
+    }
+
     /// Those that are no errors of these codes.
     #[must_use]
     pub fn without(&self, codes: &[&str]) -> Self {
