@@ -57,7 +57,7 @@ pub fn told(data: Data<'_>, language: Language) -> (Vec<Block>, BTreeSet<Name>) 
     let mut telling = Telling::of(data, language);
     let mut blocks = telling.blocks();
     if !blocks.is_empty() {
-        blocks.insert(0, Block::Heading(3, plain(&say(language, Message::Given, &[]))));
+        blocks.insert(0, Block::Paragraph(vec![Inline::Strong(plain(&say(language, Message::Given, &[])))]));
     }
     (blocks, telling.values.named)
 }
