@@ -83,12 +83,12 @@ pub(super) fn of(exercise: &Exercise<'_>, sheet: &Document, language: Language, 
         let help = format!("give it a name of one or two letters: `x = {written}`");
         Lack::NoLetter { number, help, span }
     }));
-    let mut told = Vec::new();
+    let mut reported = Vec::new();
     for note in &exercise.document.notes {
         let alone = exercise.numbers_in_words_alone(&note.node);
-        for words in alone.into_iter().filter(|words| !told.contains(words)).collect::<Vec<_>>() {
+        for words in alone.into_iter().filter(|words| !reported.contains(words)).collect::<Vec<_>>() {
             problems.push(Lack::InWordsAlone { words: words.clone(), span: note.span });
-            told.push(words);
+            reported.push(words);
         }
     }
     problems.extend(exercise.document.statements.iter().filter_map(long_table));

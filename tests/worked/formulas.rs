@@ -183,3 +183,43 @@ fn questions_by_functions_are_derived() {
         assert_eq!(bare, Vec::<&str>::new());
     }
 }
+
+/// A couple in the table of results has the sign of its letter in the steps.
+#[test]
+fn couples_have_the_signs_of_their_steps() {
+    let number = |word: &str| word.replace('−', "-").parse::<f64>().ok();
+    let mut count = 0;
+    for file in [
+        "shaper/shaper-a",
+        "dyads/rpr",
+        "welds/bent-pendulum",
+        "welds/clamped-beam-with-post",
+        "kinetostatics/six-bar",
+        "crank-slider",
+    ] {
+        let path = format!("{}/examples/{file}.mech", env!("CARGO_MANIFEST_DIR"));
+        let out = std::process::Command::new(env!("CARGO_BIN_EXE_assur")).args(["report", &path]).output();
+        let page = String::from_utf8(out.expect("the program runs").stdout).expect("text");
+        for row in page.lines().filter(|line| line.trim_start().starts_with("couple in ")) {
+            let words: Vec<&str> = row.split_whitespace().collect();
+            let [.., letter, value, unit] = words.as_slice() else { continue };
+            let size = if *unit == "kN·m" { 1e3 } else { 1.0 };
+            let Some(value) = number(value).filter(|_| letter.contains("M_")) else { continue };
+            let value = size * value;
+            let (sign, name) = letter.strip_prefix('−').map_or((1.0, *letter), |name| (-1.0, name));
+            let begin = format!("    {name} = ");
+            let step = page.lines().skip_while(|line| !line.starts_with(&begin));
+            let right = step.map(|line| line.rsplit(" = ").next().unwrap_or_default());
+            let found = right
+                .filter(|right| right.ends_with("N·m"))
+                .find_map(|right| number(right.split(' ').next()?));
+            let found = found.unwrap_or_else(|| panic!("{file}: no step of {name}"));
+            assert!(
+                (sign * found - value).abs() <= 0.02 * value.abs(),
+                "{file}: {row}, and {name} = {found}"
+            );
+            count += 1;
+        }
+    }
+    assert!(count >= 2, "{count} couples");
+}

@@ -21,10 +21,11 @@ impl Derivation<'_> {
 
     /// What the file gives, and what else the equations use, each once, in the order of use.
     pub fn given_values(&self, data: Option<Data<'_>>) -> Vec<Block> {
-        let (mut blocks, told) = data.map_or_else(Default::default, |data| given::told(data, self.language));
-        let heading = if told.is_empty() { Message::Given } else { Message::Quantity };
+        let (mut blocks, shown) =
+            data.map_or_else(Default::default, |data| given::with_heading(data, self.language));
+        let heading = if shown.is_empty() { Message::Given } else { Message::Quantity };
         let headers = [heading, Message::Value].map(|m| vec![text(self.words(m))]);
-        blocks.extend(two_abreast(headers, self.given_rows(&told)).into_iter().map(Block::Table));
+        blocks.extend(two_abreast(headers, self.given_rows(&shown)).into_iter().map(Block::Table));
         blocks.push(Block::Remark(say(self.language, Message::Conventions, &[])));
         blocks.extend(self.notation());
         let taken: Vec<Arc<Quantity>> =
@@ -72,14 +73,14 @@ impl Derivation<'_> {
         values
     }
 
-    /// The letters and figures of values that are not told, in the units of equations.
-    fn given_rows(&self, told: &BTreeSet<Name>) -> Vec<[Line; 2]> {
+    /// The letters and figures of values that are not shown yet, in the units of equations.
+    fn given_rows(&self, shown: &BTreeSet<Name>) -> Vec<[Line; 2]> {
         let row = |q: &Arc<Quantity>| {
             let unit = if q.unit == Unit::Angle { "°".to_owned() } else { format!(" {}", q.unit.text()) };
             let written = format!("{}{}", q.figures(5).text(), unit.trim_end());
             [vec![Inline::Math(name_node(&q.name))], vec![text(written)]]
         };
-        let used = self.used_values().into_iter().filter(|q| !self.is_assumed(q) && !told.contains(&q.name));
+        let used = self.used_values().into_iter().filter(|q| !self.is_assumed(q) && !shown.contains(&q.name));
         used.map(|q| row(&q)).collect()
     }
 

@@ -4,7 +4,7 @@ use crate::course::Derivation;
 use crate::document::{Inline, Line, Table, text};
 use crate::questions::{question, question_of_couple, question_of_reaction};
 use crate::words::{Message, RunMessage, phrase};
-use assur_formula::{Expr, Node, Quantity, Unit, name_node, unit_words};
+use assur_formula::{Expr, Node, Quantity, Unit, letters, name_node, unit_words};
 use assur_math::math::{SAME, Vec2};
 use assur_model::model::{Display, FindKind, LinkId, PairId, PairKind, Value};
 use assur_text::units::{Dimension, significant};
@@ -78,8 +78,11 @@ impl Derivation<'_> {
             return;
         }
         let is_it = |x: &Expr| (x.value().abs() - value.abs()).abs() <= SAME * value.abs();
-        let found = self.couples_of(pair).into_iter().find(|name| self.found.get(name).is_some_and(is_it));
-        let letters = found.map(|name| Inline::Math(name_node(&name))).into_iter().collect();
+        let names = self.couples_of(pair).into_iter();
+        let found = names.filter_map(|name| self.found.get(&name).cloned()).find(is_it);
+        // the step may have that on the other link
+        let signed = |found: Expr| if found.value() * value < 0.0 { -found } else { found };
+        let letters = found.map(|found| Inline::Math(letters(&signed(found)))).into_iter().collect();
         let asked = question_of_couple(mechanism, pair, on, self.language);
         self.row(table, asked, letters, Value::Scalar(value), &mechanism.display_of(Dimension::TORQUE));
     }

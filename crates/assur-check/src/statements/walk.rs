@@ -1,37 +1,11 @@
 //! Over all expressions of a document.
 
+pub use assur_syntax::document::{children, parts};
+
 use assur_syntax::document::{
     AssembleClause, CamMember, Definition, DrivePosition, Event, ExpectAt, Expr, ExprKind, LineDirection,
     Member, Number, Place, Property, Sensed, Setting, Site, Statement, TimeCourse, Until, WheelSize,
 };
-
-/// Calls `visit` on the direct parts of an expression, left to right.
-pub fn children<'a>(expr: &'a Expr, visit: &mut dyn FnMut(&'a Expr)) {
-    match &expr.kind {
-        ExprKind::Number(_) | ExprKind::Name(_) => {}
-        ExprKind::Member(base, _) => visit(base),
-        ExprKind::Unary(_, inner) => visit(inner),
-        ExprKind::Call { args, .. } => args.iter().for_each(|a| visit(&a.value)),
-        ExprKind::Vector(a, b) | ExprKind::Polar(a, b) | ExprKind::Power(a, b) => {
-            visit(a);
-            visit(b);
-        }
-        ExprKind::Chain(first, rest) => {
-            visit(first);
-            rest.iter().for_each(|(_, e)| visit(e));
-        }
-        ExprKind::Compare(first, rest) => {
-            visit(first);
-            rest.iter().for_each(|(_, e)| visit(e));
-        }
-    }
-}
-
-/// Calls `visit` on the expression and all its parts, left to right.
-pub fn parts<'a>(expr: &'a Expr, visit: &mut dyn FnMut(&'a Expr)) {
-    visit(expr);
-    children(expr, &mut |child| parts(child, visit));
-}
 
 /// Whether two expressions are the same but for their places.
 pub fn same(a: &Expr, b: &Expr) -> bool {

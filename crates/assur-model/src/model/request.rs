@@ -173,6 +173,17 @@ impl Table {
 }
 
 impl Mechanism {
+    /// Calls `visit` on everything that the file asks for.
+    pub fn each_question<'a>(&'a self, visit: &mut dyn FnMut(&'a Expr)) {
+        for find in &self.finds {
+            match &find.kind {
+                FindKind::Value { expr, .. } => visit(expr),
+                FindKind::Table(table) => table.questions().for_each(&mut *visit),
+                FindKind::Reactions => {}
+            }
+        }
+    }
+
     /// The questions of an expression, and of the named quantities in it.
     pub fn each_query(&self, expr: &Expr, see: &mut dyn FnMut(&Query)) {
         expr.queries(&mut |query| see(query));
@@ -194,13 +205,7 @@ impl Mechanism {
         let mut look = |expr: &Expr| {
             self.each_query(expr, &mut |query| asked |= query.pair() == Some(pair));
         };
-        for find in &self.finds {
-            match &find.kind {
-                FindKind::Value { expr, .. } => look(expr),
-                FindKind::Table(table) => table.questions().for_each(&mut look),
-                FindKind::Reactions => {}
-            }
-        }
+        self.each_question(&mut look);
         self.cycles.iter().for_each(|cycle| look(&cycle.expr));
         asked
     }
@@ -215,13 +220,7 @@ impl Mechanism {
                 _ => {}
             });
         };
-        for find in &self.finds {
-            match &find.kind {
-                FindKind::Value { expr, .. } => look(expr),
-                FindKind::Table(table) => table.questions().for_each(&mut look),
-                FindKind::Reactions => {}
-            }
-        }
+        self.each_question(&mut look);
         self.quantities.iter().for_each(|quantity| look(&quantity.expr));
         links
     }

@@ -46,7 +46,7 @@ struct Candidate {
     unlikely: usize,
 }
 
-/// What may be lost of a mechanism in which something can still move and nothing is held too often. Where so many pairs are named and
+/// What may be lost of a mechanism that is underconstrained and nowhere overconstrained. Where so many pairs are named and
 /// not declared, a cylinder may end at a point that another pair uses, and it may hold nothing.
 #[must_use]
 pub fn lost(mechanism: &Mechanism, named: usize) -> Lost {

@@ -97,3 +97,31 @@ pub enum CompareOp {
     /// `>=`
     GreaterOrEqual,
 }
+
+/// Calls `visit` on the direct parts of an expression, left to right.
+pub fn children<'a>(expr: &'a Expr, visit: &mut dyn FnMut(&'a Expr)) {
+    match &expr.kind {
+        ExprKind::Number(_) | ExprKind::Name(_) => {}
+        ExprKind::Member(base, _) => visit(base),
+        ExprKind::Unary(_, inner) => visit(inner),
+        ExprKind::Call { args, .. } => args.iter().for_each(|a| visit(&a.value)),
+        ExprKind::Vector(a, b) | ExprKind::Polar(a, b) | ExprKind::Power(a, b) => {
+            visit(a);
+            visit(b);
+        }
+        ExprKind::Chain(first, rest) => {
+            visit(first);
+            rest.iter().for_each(|(_, e)| visit(e));
+        }
+        ExprKind::Compare(first, rest) => {
+            visit(first);
+            rest.iter().for_each(|(_, e)| visit(e));
+        }
+    }
+}
+
+/// Calls `visit` on the expression and all its parts, left to right.
+pub fn parts<'a>(expr: &'a Expr, visit: &mut dyn FnMut(&'a Expr)) {
+    visit(expr);
+    children(expr, &mut |child| parts(child, visit));
+}

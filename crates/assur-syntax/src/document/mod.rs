@@ -17,6 +17,7 @@ pub use body::{
     Body, CircleMember, LineDirection, LineMember, Member, PointMember, ProfileMember, WheelMember,
 };
 pub use expr::{Arg, BinaryOp, CompareOp, Expr, ExprKind, Number, UnaryOp};
+pub use expr::{children, parts};
 pub use machine::{
     Bar, Brake, Cam, CamMember, Counterweight, End, Flywheel, Follower, Ground, Group, Joint, Link,
 };

@@ -1,8 +1,7 @@
 //! What the questions of a document need: motion alone, else all. It errs towards more.
 
 use super::kinds::GivenLevel::{self, Accelerations, Forces, Positions, Velocities};
-use super::reach::direct_parts;
-use crate::document::{Definition, Document, Expr, ExprKind, Statement};
+use crate::document::{Definition, Document, Expr, ExprKind, Statement, children};
 use std::collections::BTreeMap;
 
 /// The questions that need no forces and no masses, by function or word.
@@ -70,7 +69,7 @@ fn of(expr: &Expr, definitions: &BTreeMap<&str, &Definition>) -> GivenLevel {
     let known = |word: &str| OF_MOTION.iter().find(|(own, _)| *own == word).map(|(_, level)| *level);
     let parts = || {
         let mut parts = Vec::new();
-        direct_parts(expr, &mut |part| parts.push(part));
+        children(expr, &mut |part| parts.push(part));
         parts.into_iter().map(|part| of(part, definitions)).max().unwrap_or(Positions)
     };
     match &expr.kind {

@@ -13,7 +13,7 @@ mod walk;
 
 pub use datum::{Datum, GivenLine, GivenValue, Shown};
 pub use kinds::{GivenKind, GivenLevel, KINDS};
-pub use reach::{Given, each_part, names_of};
+pub use reach::{Given, names_of};
 
 use crate::document::Document;
 

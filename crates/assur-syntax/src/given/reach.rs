@@ -3,7 +3,7 @@
 use super::datum::{Datum, GivenLine, Shown};
 use super::level::level;
 use super::lines;
-use crate::document::{Definition, Document, Expr, ExprKind, Statement};
+use crate::document::{Definition, Document, Expr, ExprKind, Statement, parts};
 use assur_text::language::Function;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -97,38 +97,11 @@ fn live<'a, 'd: 'a>(
     live
 }
 
-/// Calls `visit` on the parts of an expression.
-pub(super) fn direct_parts<'d>(expr: &'d Expr, visit: &mut dyn FnMut(&'d Expr)) {
-    match &expr.kind {
-        ExprKind::Number(_) | ExprKind::Name(_) => {}
-        ExprKind::Member(of, _) | ExprKind::Unary(_, of) => visit(of),
-        ExprKind::Call { args, .. } => args.iter().for_each(|arg| visit(&arg.value)),
-        ExprKind::Vector(a, b) | ExprKind::Polar(a, b) | ExprKind::Power(a, b) => {
-            visit(a);
-            visit(b);
-        }
-        ExprKind::Chain(first, rest) => {
-            visit(first);
-            rest.iter().for_each(|(_, next)| visit(next));
-        }
-        ExprKind::Compare(first, rest) => {
-            visit(first);
-            rest.iter().for_each(|(_, next)| visit(next));
-        }
-    }
-}
-
-/// Calls `visit` on an expression and all its parts.
-pub fn each_part<'d>(expr: &'d Expr, visit: &mut dyn FnMut(&'d Expr)) {
-    visit(expr);
-    direct_parts(expr, &mut |part| each_part(part, visit));
-}
-
 /// The names in an expression, those of curves too.
 #[must_use]
 pub fn names_of(expr: &Expr) -> Vec<&str> {
     let mut names = Vec::new();
-    each_part(expr, &mut |part| match &part.kind {
+    parts(expr, &mut |part| match &part.kind {
         ExprKind::Name(name) => names.push(name.as_str()),
         ExprKind::Call { function, .. } if Function::named(&function.node).is_none() => {
             names.push(&function.node);
@@ -141,7 +114,7 @@ pub fn names_of(expr: &Expr) -> Vec<&str> {
 /// Whether a question has a function of no part: of the mechanism as a whole.
 fn is_of_whole(expr: &Expr) -> bool {
     let mut found = false;
-    each_part(expr, &mut |part| {
+    parts(expr, &mut |part| {
         if let ExprKind::Call { function, args } = &part.kind {
             let names = args.iter().flat_map(|arg| names_of(&arg.value)).count();
             found |= names == 0 || function.node == "critical";

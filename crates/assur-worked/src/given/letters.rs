@@ -23,8 +23,8 @@ impl<'a> Letters<'a> {
         taken.extend(data.mechanism.balances.iter().map(|own| quantity_name(&own.name)));
         taken.extend(data.mechanism.finds.iter().map(|own| quantity_name(&own.name)));
         let all = given.lines.iter().flat_map(|line| line.data.iter().map(move |datum| (line, datum)));
-        let told = all.filter(|(_, datum)| datum.shown == Shown::Text && !is_definition(datum, given));
-        for (line, datum) in told {
+        let shown = all.filter(|(_, datum)| datum.shown == Shown::Text && !is_definition(datum, given));
+        for (line, datum) in shown {
             if let Some(name) = letters.get(line, datum)
                 && !taken.insert(name.clone())
             {

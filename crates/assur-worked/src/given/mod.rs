@@ -1,4 +1,4 @@
-//! What a reader is told: the data of a file in words, a line per statement, with figures and units as the file has them.
+//! What a reader gets: the data of a file in words, a line per statement, with figures and units as the file has them.
 
 mod curve;
 mod letters;
@@ -18,8 +18,8 @@ use assur_formula::{Name, name_node};
 use assur_math::element::gear::STANDARD_RACK;
 use assur_model::model::Mechanism;
 use assur_picture::Scene;
-use assur_syntax::document::{Document, Expr, ExprKind, JointKind, Statement};
-use assur_syntax::given::{Datum, Given, GivenLine, GivenValue, Shown, each_part};
+use assur_syntax::document::{Document, Expr, ExprKind, JointKind, Statement, parts};
+use assur_syntax::given::{Datum, Given, GivenLine, GivenValue, Shown};
 use assur_text::units::significant;
 use letters::Letters;
 use std::collections::BTreeSet;
@@ -53,7 +53,7 @@ pub fn blocks(data: Data<'_>, language: Language) -> Vec<Block> {
 }
 
 /// The same after a heading, with the letters that they have.
-pub fn told(data: Data<'_>, language: Language) -> (Vec<Block>, BTreeSet<Name>) {
+pub fn with_heading(data: Data<'_>, language: Language) -> (Vec<Block>, BTreeSet<Name>) {
     let mut telling = Telling::of(data, language);
     let mut blocks = telling.blocks();
     if !blocks.is_empty() {
@@ -65,7 +65,7 @@ pub fn told(data: Data<'_>, language: Language) -> (Vec<Block>, BTreeSet<Name>) 
 /// The same, of a file without positions.
 #[must_use]
 pub fn given(data: Data<'_>, language: Language) -> Vec<Block> {
-    told(data, language).0
+    with_heading(data, language).0
 }
 
 /// The lines that are being written.
@@ -110,11 +110,11 @@ impl<'a> Telling<'a> {
         blocks
     }
 
-    /// The data of a statement after its subject; nothing where it has none that is told.
+    /// The data of a statement after its subject; nothing where it has none that is shown.
     fn line(&mut self, line: &GivenLine<'a>) -> Line {
         let mut cells: Vec<Line> = Vec::new();
-        let told: Vec<_> = line.data.iter().filter(|datum| self.is_told(datum)).collect();
-        for datum in told {
+        let shown: Vec<_> = line.data.iter().filter(|datum| self.is_shown(datum)).collect();
+        for datum in shown {
             let words = self.datum(line, datum);
             match cells.last_mut() {
                 Some(last) if datum.kind.after => {
@@ -135,7 +135,7 @@ impl<'a> Telling<'a> {
             return Vec::new();
         }
         let [colon, semicolon] = self.signs();
-        let mut told = match line.subject {
+        let mut shown = match line.subject {
             "" => Vec::new(),
             subject => {
                 let names: Vec<Line> = self.subject(line).into_iter().map(|name| vec![text(name)]).collect();
@@ -145,10 +145,10 @@ impl<'a> Telling<'a> {
             }
         };
         for (i, cell) in cells.into_iter().enumerate() {
-            told.extend((i > 0).then(|| text(semicolon)));
-            told.extend(cell);
+            shown.extend((i > 0).then(|| text(semicolon)));
+            shown.extend(cell);
         }
-        if line.subject.is_empty() { capital(told) } else { told }
+        if line.subject.is_empty() { capital(shown) } else { shown }
     }
 
     /// The sizes of the standard rack, which a mesh has where its statement is silent and its geometry is asked for.
@@ -189,7 +189,7 @@ impl<'a> Telling<'a> {
         }
     }
 
-    fn is_told(&self, datum: &Datum<'_>) -> bool {
+    fn is_shown(&self, datum: &Datum<'_>) -> bool {
         match datum.shown {
             Shown::Text => !matches!(datum.kind.key, "given" | "let"),
             Shown::Figure => !self.data.figure && datum.kind.key != "assemble",
@@ -259,7 +259,7 @@ impl<'a> Telling<'a> {
 
     /// Definitions that formulas or questions use, and no line has with its value yet.
     fn definitions(&mut self) -> Line {
-        let mut told = Vec::new();
+        let mut shown = Vec::new();
         let statements = self.data.document.statements.iter().filter_map(|s| match &s.node {
             Statement::Given(value) | Statement::Let(value) => Some(value),
             _ => None,
@@ -275,13 +275,13 @@ impl<'a> Telling<'a> {
             self.values.seen.insert(name);
             let letter = quantity_name(name);
             let value = self.values.of_definition(name, &definition.value);
-            told.extend((!told.is_empty()).then(|| text("; ")));
-            told.push(Inline::Math(name_node(&letter)));
-            told.push(text("\u{a0}=\u{a0}"));
-            told.extend(value);
+            shown.extend((!shown.is_empty()).then(|| text("; ")));
+            shown.push(Inline::Math(name_node(&letter)));
+            shown.push(text("\u{a0}=\u{a0}"));
+            shown.extend(value);
             self.values.named.insert(letter);
         }
-        told
+        shown
     }
 }
 
@@ -316,7 +316,7 @@ fn asks_for_teeth(document: &Document, mesh: &Statement) -> bool {
     });
     let mut asked = false;
     for item in finds.flatten() {
-        each_part(&item.value, &mut |part| asked |= asks(part));
+        parts(&item.value, &mut |part| asked |= asks(part));
     }
     mesh.kind.node == JointKind::Mesh && asked
 }

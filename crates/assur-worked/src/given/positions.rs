@@ -13,10 +13,10 @@ use assur_text::units::{Dimension, lookup};
 impl<'a> Telling<'a> {
     /// The last line: where the drives are, unless headings have it.
     pub(super) fn positions(&mut self, lines: &[GivenLine<'a>]) -> Line {
-        let mut told: Vec<Line> = Vec::new();
+        let mut words: Vec<Line> = Vec::new();
         let mut several = false;
         if let Some(drives) = self.data.position {
-            told.extend((!drives.is_empty()).then(|| drive_words(drives)));
+            words.extend((!drives.is_empty()).then(|| drive_words(drives)));
         } else if self.data.headings || self.is_constant() {
             return Vec::new();
         } else {
@@ -26,17 +26,17 @@ impl<'a> Telling<'a> {
                     && !self.is_asked(line)
                 {
                     several |= !matches!(position, DrivePosition::Values(values) if values.len() == 1);
-                    told.push(self.position(datum, position));
+                    words.push(self.position(datum, position));
                 }
             }
         }
-        if told.is_empty() {
+        if words.is_empty() {
             return Vec::new();
         }
         let [colon, semicolon] = self.signs();
         let key = if several { "positions" } else { "position" };
         let head = words_of(self.language, "given subjects", key, &[]);
-        [head, vec![text(colon)], told.join(&text(semicolon))].concat()
+        [head, vec![text(colon)], words.join(&text(semicolon))].concat()
     }
 
     fn position(&mut self, datum: &Datum<'a>, position: &'a DrivePosition) -> Line {

@@ -46,9 +46,9 @@ pub(super) struct Values<'a> {
     data: Data<'a>,
     language: Language,
     definitions: BTreeMap<&'a str, &'a Definition>,
-    /// The definitions that have been told with their values.
+    /// The definitions that are shown with their values.
     pub seen: BTreeSet<&'a str>,
-    /// The letters that have been told with their values.
+    /// The letters that are shown with their values.
     pub named: BTreeSet<Name>,
     /// A direction is an angle, not a side of the page.
     pub is_free: bool,
@@ -61,7 +61,7 @@ impl<'a> Values<'a> {
     }
 
     /// A value after its letter. A value that is a `given` has its letter, and once its value too; where the letter is the author's,
-    /// both are told.
+    /// both are shown.
     pub fn with_letter(&mut self, letter: Option<Name>, is_own: bool, value: &'a Expr) -> Line {
         if let ExprKind::Polar(size, direction) = &value.kind
             && matches!(size.kind, ExprKind::Name(_))

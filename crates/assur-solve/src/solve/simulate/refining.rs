@@ -25,7 +25,7 @@ const FINEST: f64 = 2e-15;
 const ROUNDING: f64 = 1e-11;
 /// After so many finer runs there in vain it is: one may be worse than the run before by chance.
 const IN_VAIN: usize = 2;
-/// After so many evaluations nothing is tried that rounding is bound to make vain.
+/// After so many evaluations no finer run is tried that rounding would make useless.
 const MUCH: usize = 500_000;
 
 /// Runs in parts of the steps of the run before.
