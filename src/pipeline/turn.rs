@@ -70,6 +70,11 @@ fn in_time(compiled: &Compiled, count: usize, effects: Option<Effects>) -> Vec<P
     if let Some(simulation) = &mut mechanism.simulation {
         simulation.steps = Some(count - 1);
     }
+    // what starts with a speed alone turns from zero on in the picture
+    let zero = Value::Scalar(0.0);
+    for drive in mechanism.drives.iter_mut().filter(|drive| matches!(drive.positions, Positions::None)) {
+        drive.positions = Positions::List(vec![Expr::Constant(zero)]);
+    }
     without_questions(&mut mechanism);
     let plan = match effects {
         Some(effects) => plan_with(&mechanism, &compiled.structure, effects),

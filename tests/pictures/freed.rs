@@ -187,7 +187,7 @@ fn a_rack_touches_its_wheel() {
         _ => None,
     });
     let (centre, radius) = wheel.expect("the pitch circle");
-    let line = marks(&sheet, "rack", "bar").find_map(|shape| match shape {
+    let line = marks(&sheet, "pair", "r").find_map(|shape| match shape {
         Shape::Line(a, b) => Some((*a, *b)),
         _ => None,
     });

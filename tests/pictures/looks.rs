@@ -112,7 +112,7 @@ fn wheels_of_cranks_and_ends_of_cylinders_have_names() {
         "{:?}",
         labels(&sheet)
     );
-    assert!(of(&sheet, "wheel", "z1").any(|m| m.style == Style::Thin));
+    assert!(of(&sheet, "wheel", "z1").any(|m| m.style == Style::Medium));
     let boom = "ground { O (0, 0); G (0.6 m, -0.3 m) }\nlink boom { O (0, 0); K (2.2 m, 0.5 m) }\nrevolute O: ground - boom\n\
                 cylinder c: ground.G - boom.K\ndrive c = 2.25 m at 0.1 m/s\nassemble K near (1.5 m, 1.7 m)";
     assert!(labels(&scheme(boom)).contains(&"G".to_owned()));

@@ -61,6 +61,21 @@ pub(crate) fn nothing_placed(scene: &Scene<'_>, needs: &'static str) -> Diagnosi
         )
 }
 
+/// No body is elsewhere in any frame.
+pub(crate) fn nothing_moves(scene: &Scene<'_>) -> Diagnosis {
+    let mechanism = scene.mechanism();
+    let drive = mechanism.drives.first();
+    let (why, help) = match mechanism.simulation {
+        Some(_) => {
+            ("all bodies rest until the end", "give a `start` a speed, or a body a load that moves it")
+        }
+        None => ("no body moves over the range of the drive", "give the drive a longer range"),
+    };
+    Diagnosis::error("mech::picture::nothing_moves", format!("there is no animation: {why}"))
+        .label(drive.map(|drive| drive.span), "nothing moves")
+        .help(help)
+}
+
 /// No link has a place at which it could be drawn in its own size.
 pub(crate) fn no_true_size(scene: &Scene<'_>) -> Diagnosis {
     let link = scene.mechanism().links.get(1);

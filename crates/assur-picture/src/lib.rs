@@ -12,6 +12,7 @@ mod hodograph;
 mod inset;
 mod internal;
 mod kind;
+mod machine;
 mod motion;
 mod no_diagram;
 mod paper;

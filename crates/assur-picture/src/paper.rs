@@ -157,6 +157,12 @@ impl Frame {
         Self { scale, origin, factor: scale.map_or(1.0, |s| s.factor()) }
     }
 
+    /// With so many metres per millimetre.
+    #[must_use]
+    pub const fn of_unit(factor: f64, origin: Vec2) -> Self {
+        Self { scale: None, origin, factor }
+    }
+
     /// A point of the ground on paper, mm.
     #[must_use]
     pub fn point(&self, at: Vec2) -> Vec2 {

@@ -2,6 +2,7 @@
 
 use crate::diagram::{Panel, printed};
 use crate::error;
+use crate::machine::Laid;
 use assur_drawing::{Drawing, Label, Style, Text};
 use assur_math::math::Vec2;
 use assur_model::model::{Bearing, Display, GenevaPair, LinkId, Load, LoadKind, Mechanism, PairId, PairKind};
@@ -30,6 +31,10 @@ pub struct Scene<'a> {
     pub ways: &'a [(f64, f64)],
     /// Some shaft has no place.
     pub is_open: bool,
+    /// What was laid out, where the file leaves places open.
+    pub laid: Option<&'a Laid>,
+    /// By how much the first drive is beyond the value of the position: whole turns.
+    pub carried: f64,
 }
 
 impl<'a> Scene<'a> {
@@ -49,7 +54,21 @@ impl<'a> Scene<'a> {
             let all = solution.poses.iter().filter_map(|pose| pose.outcome.as_ref().ok());
             let greatest = MotionScales::of(&model, all);
             let is_open = model.mechanism.pairs.iter().any(|p| p.bearing == Some(Bearing::Open));
-            Some(Self { model, solution, pose, solved, file, text, greatest, turn: &[], ways: &[], is_open })
+            let (laid, carried) = (None, 0.0);
+            Some(Self {
+                model,
+                solution,
+                pose,
+                solved,
+                file,
+                text,
+                greatest,
+                turn: &[],
+                ways: &[],
+                is_open,
+                laid,
+                carried,
+            })
         });
         found.ok_or_else(|| error::no_position(model.mechanism, solution, name))
     }
@@ -85,6 +104,16 @@ impl<'a> Scene<'a> {
     #[must_use]
     pub fn body(&self, link: LinkId) -> &'a BodyState {
         &self.solved.state.motion.bodies[link.index()]
+    }
+
+    /// How far a link has turned since another position, whole turns included, rad.
+    #[must_use]
+    pub fn turned_since(&self, first: &Self, link: LinkId) -> f64 {
+        let angle = |scene: &Self| scene.solved.angles.get(link.index()).copied();
+        match (angle(self), angle(first)) {
+            (Some(here), Some(there)) => here - there,
+            _ => self.body(link).u.angle() - first.body(link).u.angle(),
+        }
     }
 
     /// A point of a link in ground axes, m.

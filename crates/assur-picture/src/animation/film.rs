@@ -1,7 +1,7 @@
 //! The mechanism in motion as pictures one after the other: the first frame, with its parts where they are in another.
 
-use super::Animated;
 use super::moved::{Faded, Moved, Mover};
+use super::{Animated, Stage};
 use crate::kind::Options;
 use crate::scene::Scene;
 use crate::wording::Wording;
@@ -38,7 +38,8 @@ pub fn film(
 ) -> Result<Film, Diagnosis> {
     let ways = scene.all_ways();
     let scene = &Scene { ways: &ways, ..*scene };
-    let animated = Animated::of(scene, options, wording)?;
+    let stage = Stage::of(scene, options)?;
+    let animated = Animated::of(scene, &stage, options, wording)?;
     let Animated { frames, sheet, moved, faded, .. } = animated;
     Ok(Film { first: sheet.svg(theme), count: frames.len(), moved, faded })
 }

@@ -7,7 +7,6 @@ mod motion;
 mod moved;
 mod page;
 mod smil;
-mod train;
 mod values;
 
 pub use arrows::ArrowKind;
@@ -16,70 +15,57 @@ pub use motion::{Moving, motion};
 pub use page::{PLAYER, PLAYER_STYLE, animation};
 pub use smil::moving;
 
-use crate::inset::wrapped;
 use crate::kind::Options;
+use crate::machine::{Frames, Laid, MOST, frames};
 use crate::paper::Frame;
 use crate::scene::Scene;
-use crate::scheme::{Loads, Scheme, Traced, asked, captioned, described, frame_of_all, scheme_in};
+use crate::scheme::{Loads, Motion, Scheme, Traced, asked, captioned, described, frame_of_all, scheme_in};
 use crate::shape::{LinkShape, shapes};
+use crate::train::{is_in_section, section};
 use crate::wording::Wording;
-use crate::{error, no_diagram, words};
-use assur_drawing::{Drawing, Later, Rect, Sheet};
-use assur_solve::answer::NoSweep;
-use assur_solve::solve::{Cause, DriveValue, Pose};
+use crate::words;
+use assur_drawing::{Drawing, Later, Rect, Sheet, Text};
+use assur_solve::solve::Pose;
 use assur_text::diagnostic::Diagnosis;
 use moved::Faded;
 use moved::{Moved, Mover};
 
-const MOST: usize = 400;
 /// Room for labels around what moves, mm.
 const LABELS: f64 = 6.0;
 /// The most frames that labels are placed for.
 const LOOKED_AT: usize = 24;
 
-/// The frames of a mechanism: positions over the way of its drive.
-fn frames<'a>(scene: &Scene<'a>, options: &Options) -> Result<Vec<Scene<'a>>, Diagnosis> {
-    let all: &'a [Pose] = if scene.turn.is_empty() { &scene.solution.poses } else { scene.turn };
-    let at = |pose: &'a Pose| Some(Scene { pose, solved: pose.outcome.as_ref().ok()?, ..*scene });
-    let mut solved: Vec<Scene<'a>> = all.iter().filter_map(at).collect();
-    if goes_back(&solved) {
-        // from the same position where it comes back to it
-        let comes_back = is_turn(&solved);
-        solved.reverse();
-        solved.rotate_right(usize::from(comes_back));
-    }
-    let most = options.frames.map_or(MOST, |_| usize::MAX);
-    let step = solved.len().div_ceil(most).max(1);
-    let frames: Vec<Scene<'a>> = solved.into_iter().step_by(step).collect();
-    if frames.len() < 2 {
-        let cause = Cause::NoSweep(NoSweep::OnePosition);
-        return Err(no_diagram::no_sweep(scene, "animation", &cause));
-    }
-    Ok(frames)
+/// The positions that are shown, with all their places.
+struct Stage {
+    frames: Frames,
+    laid: Option<Laid>,
 }
 
-/// Whether the drive moves against the order of the positions.
-fn goes_back(frames: &[Scene<'_>]) -> bool {
-    let (Some(first), Some(second)) = (frames.first(), frames.get(1)) else { return false };
-    let drives = first.mechanism().drives.iter().enumerate();
-    let senses = drives.filter_map(|(i, drive)| {
-        let value = |scene: &Scene<'_>| match scene.pose.drives.get(i) {
-            Some(DriveValue::Scalar(x)) => Some(*x),
-            _ => None,
+impl Stage {
+    fn of(scene: &Scene<'_>, options: &Options) -> Result<Self, Diagnosis> {
+        let mut frames = frames(scene, options)?;
+        // teeth and marks are at rest at the position of the scene
+        frames.poses.push(scene.pose.clone());
+        let laid = match is_in_section(scene) {
+            true => None,
+            false => Laid::of(scene, &mut frames.poses),
         };
-        let way = value(second)? - value(first)?;
-        let speed = drive.speed.as_ref().map(|e| first.view().scalar(e)).or(drive.sense)?;
-        Some(way * speed).filter(|sense| *sense != 0.0 && first.mechanism().simulation.is_none())
-    });
-    senses.into_iter().next().is_some_and(|sense| sense < 0.0)
-}
+        Ok(Self { frames, laid })
+    }
 
-/// Whether the frame after the last is the first again.
-fn is_turn(frames: &[Scene<'_>]) -> bool {
-    let along = |i: usize| frames.get(i).and_then(Scene::along);
-    let (Some(a), Some(b), Some(last)) = (along(0), along(1), along(frames.len() - 1)) else { return false };
-    let (step, left) = (b - a, wrapped(a - last));
-    wrapped(step - left).abs() < 0.5 * step.abs()
+    /// What is seen at each of them, and at rest.
+    fn scenes<'s>(&'s self, scene: &Scene<'s>) -> (Vec<Scene<'s>>, Scene<'s>) {
+        let at = |pose: &'s Pose| Some(Scene { pose, solved: pose.outcome.as_ref().ok()?, ..*scene });
+        let mut scenes: Vec<Scene<'s>> = match &self.laid {
+            Some(laid) => laid.scenes(scene),
+            None => self.frames.poses.iter().filter_map(at).collect(),
+        };
+        for (scene, carried) in scenes.iter_mut().zip(&self.frames.carried) {
+            scene.carried = *carried;
+        }
+        let rest = scenes.pop().unwrap_or(*scene);
+        (scenes, rest)
+    }
 }
 
 /// How the schemes of all frames are drawn: in one place, the first with what stands below.
@@ -89,42 +75,56 @@ struct Drawn {
     frame: Frame,
     /// Points that are asked for, with their paths.
     traced: Vec<Traced>,
+    /// Shafts without places whose axes meet: they are seen from the side.
+    in_section: bool,
 }
 
 impl Drawn {
-    fn of(scene: &Scene<'_>, frames: &[Scene<'_>], options: &Options) -> Result<Self, Diagnosis> {
+    fn of(frames: &[Scene<'_>], closed: bool, options: &Options) -> Result<Self, Diagnosis> {
         let wanted = Scheme { loads: Loads::None, ..Scheme::default() };
         // what a link looks like is the same at every position
         let shapes = frames.first().map(shapes).unwrap_or_default();
         let frame = frame_of_all(frames, &shapes, &options.scheme.paper())?;
-        if frame.scale.is_none() {
-            return Err(error::nothing_placed(scene, "an animation shows links that move"));
-        }
-        let mut traced = asked(scene);
+        let in_section = frames.first().is_some_and(is_in_section);
+        let mut traced = frames.first().map(asked).unwrap_or_default();
         if options.frames.is_some() {
             // of few frames the gap would be seen
-            let closed = is_turn(frames);
             traced.iter_mut().for_each(|point| point.closed = closed);
         }
-        Ok(Self { wanted, shapes, frame, traced })
+        Ok(Self { wanted, shapes, frame, traced, in_section })
     }
 
-    fn first(&self, scene: &Scene<'_>) -> Drawing {
-        let mut scheme = self.other(scene);
-        captioned(&mut scheme, &self.frame, None);
+    /// A frame.
+    fn scheme<'a>(&self, scene: &Scene<'a>, motion: Motion<'_, 'a>) -> Drawing {
+        if self.in_section {
+            return section(scene, motion.rest);
+        }
+        scheme_in(scene, &self.wanted, &self.shapes, &self.frame, &self.traced, motion)
+    }
+
+    /// The same with its scale.
+    fn first(&self, motion: Motion<'_, '_>) -> Drawing {
+        let first = &motion.frames[0];
+        let mut scheme = self.scheme(first, motion);
+        let laid = first.laid;
+        match laid {
+            _ if self.in_section => {}
+            Some(laid) if !laid.to_scale => scheme.caption(Text::upright("Not to scale.")),
+            _ => captioned(&mut scheme, &self.frame, None),
+        }
+        if laid.is_some_and(|laid| laid.shares.iter().any(|share| *share < 1.0)) {
+            scheme.caption(Text::upright("What ropes carry goes a part of its way."));
+        }
         scheme
     }
 
-    fn other(&self, scene: &Scene<'_>) -> Drawing {
-        scheme_in(scene, &self.wanted, &self.shapes, &self.frame, &self.traced)
-    }
-
-    /// Frames, of which the first is the first.
-    fn schemes<'s>(&self, frames: impl Iterator<Item = &'s Scene<'s>>) -> Vec<Drawing> {
-        frames
-            .enumerate()
-            .map(|(i, scene)| if i == 0 { self.first(scene) } else { self.other(scene) })
-            .collect()
+    /// The frames of some places, of which the first is the first.
+    fn schemes(&self, places: impl Iterator<Item = usize>, motion: Motion<'_, '_>) -> Vec<Drawing> {
+        let scheme = |i: usize| match i {
+            0 => self.first(motion),
+            _ => self.scheme(&motion.frames[i], motion),
+        };
+        places.map(scheme).collect()
     }
 }
 
@@ -135,14 +135,10 @@ impl Drawn {
 pub fn still(scene: &Scene<'_>, options: &Options) -> Result<Drawing, Diagnosis> {
     let ways = scene.all_ways();
     let scene = &Scene { ways: &ways, ..*scene };
-    let (frames, first) = match train::turning(scene, options) {
-        Some((frames, schemes)) => (frames, schemes.into_iter().next().unwrap_or_default()),
-        None => {
-            let frames = frames(scene, options)?;
-            let first = Drawn::of(scene, &frames, options)?.first(&frames[0]);
-            (frames, first)
-        }
-    };
+    let stage = Stage::of(scene, options)?;
+    let (frames, rest) = stage.scenes(scene);
+    let drawn = Drawn::of(&frames, stage.frames.closed, options)?;
+    let first = drawn.first(Motion { rest: &rest, frames: &frames });
     let mut first = described(&frames[0], &options.scheme, first);
     first.id = words::id(scene, "animation");
     Ok(first)
@@ -161,19 +157,16 @@ struct Animated<'a> {
 }
 
 impl<'a> Animated<'a> {
-    fn of(scene: &Scene<'a>, options: &Options, wording: &dyn Wording) -> Result<Self, Diagnosis> {
-        let (frames, paper, (schemes, moved)) = match train::turning(scene, options) {
-            Some((frames, schemes)) => {
-                let moved = Moved::of(&schemes);
-                (frames, None, (schemes, moved))
-            }
-            None => {
-                let frames = frames(scene, options)?;
-                let drawn = Drawn::of(scene, &frames, options)?;
-                let moving = moving_marks(&frames, &drawn);
-                (frames, Some(drawn.frame), moving)
-            }
-        };
+    fn of(
+        scene: &Scene<'a>,
+        stage: &'a Stage,
+        options: &Options,
+        wording: &dyn Wording,
+    ) -> Result<Self, Diagnosis> {
+        let (frames, rest) = stage.scenes(scene);
+        let drawn = Drawn::of(&frames, stage.frames.closed, options)?;
+        let (schemes, moved) = moving_marks(Motion { rest: &rest, frames: &frames }, &drawn);
+        let paper = (!drawn.in_section).then_some(drawn.frame);
         let mut room = Rect::NOTHING;
         schemes.iter().for_each(|scheme| room.join(&scheme.extent()));
         let others = schemes.iter().step_by(schemes.len().div_ceil(LOOKED_AT));
@@ -201,16 +194,17 @@ impl<'a> Animated<'a> {
 
 /// The frames that are drawn, and how what is in them moves through all: of many frames some are drawn where all that moves goes
 /// with links.
-fn moving_marks(frames: &[Scene<'_>], drawn: &Drawn) -> (Vec<Drawing>, Moved) {
+fn moving_marks(motion: Motion<'_, '_>, drawn: &Drawn) -> (Vec<Drawing>, Moved) {
+    let frames = motion.frames;
     let step = frames.len().div_ceil(MOST);
     if step > 1 {
         let some: Vec<usize> = (0..frames.len()).step_by(step).collect();
-        let schemes = drawn.schemes(some.iter().map(|i| &frames[*i]));
+        let schemes = drawn.schemes(some.iter().copied(), motion);
         if let Some(moved) = between::filled(Moved::of(&schemes), frames, &some, &drawn.frame) {
             return (schemes, moved);
         }
     }
-    let schemes = drawn.schemes(frames.iter());
+    let schemes = drawn.schemes(0..frames.len(), motion);
     let moved = Moved::of(&schemes);
     (schemes, moved)
 }

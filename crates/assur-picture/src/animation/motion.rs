@@ -1,9 +1,9 @@
 //! How the parts of a picture move, as data for the player: whole numbers of all frames as text.
 
-use super::Animated;
 use super::arrows::{ArrowKind, Arrows, arrows};
 use super::moved::{Body, Redrawn};
 use super::values::{Column, columns, said};
+use super::{Animated, Stage};
 use crate::kind::Options;
 use crate::plot::{Curves, plot};
 use crate::scene::Scene;
@@ -55,7 +55,8 @@ pub fn motion(
 ) -> Result<Moving, Diagnosis> {
     let ways = scene.all_ways();
     let scene = &Scene { ways: &ways, ..*scene };
-    let animated = Animated::of(scene, options, wording)?;
+    let stage = Stage::of(scene, options)?;
+    let animated = Animated::of(scene, &stage, options, wording)?;
     let diagram = plot(scene, &[]).ok();
     let columns = columns(&animated.frames, diagram.as_ref().map(|(_, curves)| curves));
     let arrows = match &animated.paper {

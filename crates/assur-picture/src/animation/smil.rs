@@ -1,7 +1,7 @@
 //! The mechanism in motion as one picture without a script: every part that moves carries its own `animateTransform`.
 
-use super::Animated;
 use super::moved::{Body, Redrawn};
+use super::{Animated, Stage};
 use crate::kind::Options;
 use crate::scene::Scene;
 use crate::wording::Wording;
@@ -27,7 +27,8 @@ pub fn moving(
 ) -> Result<String, Diagnosis> {
     let ways = scene.all_ways();
     let scene = &Scene { ways: &ways, ..*scene };
-    let animated = Animated::of(scene, options, wording)?;
+    let stage = Stage::of(scene, options)?;
+    let animated = Animated::of(scene, &stage, options, wording)?;
     let count = animated.frames.len();
     let every = if options.frames.is_some() { 1 } else { count.div_ceil(MOST) };
     let mut out = animated.sheet.svg(theme);

@@ -56,7 +56,8 @@ fn drives(frames: &[Scene<'_>]) -> Vec<Column> {
         let display = first.mechanism().drive_display(drive.target);
         let values = |part: &dyn Fn(&DriveValue) -> Option<f64>| {
             let of = |frame: &Scene<'_>| {
-                let x = frame.pose.drives.get(i).and_then(part)?;
+                let carried = if i == 0 { frame.carried } else { 0.0 };
+                let x = frame.pose.drives.get(i).and_then(part)? + carried;
                 Some(cleared(x, frame.greatest.in_si(display.dimension)))
             };
             frames.iter().map(of).collect::<Vec<_>>()

@@ -14,6 +14,7 @@ mod numbers;
 mod pair;
 mod profile;
 mod room;
+mod rope;
 mod true_size;
 mod ways;
 mod weld;
@@ -21,7 +22,7 @@ mod weld;
 pub use axial::axial;
 pub use curvature::curvature;
 pub use dimension::{Dimension, Measured};
-pub use mesh::crossed;
+use mesh::crossed;
 pub use profile::Freed;
 pub use true_size::true_size;
 pub use ways::{Traced, asked};
@@ -141,7 +142,7 @@ pub fn scheme(scene: &Scene<'_>, wanted: &Scheme) -> Result<Drawing, Diagnosis> 
     let sheet = Paper { size: paper(&bounds, size), ..wanted.paper() };
     let frame = sheet.frame(Scaled::Length, &bounds, AROUND)?;
     let forces = if wanted.numbers { numbers::scale(scene, wanted)? } else { None };
-    let mut drawing = drawn(scene, wanted, &shapes, &frame, (&traced, &circles), forces);
+    let mut drawing = drawn(scene, wanted, &shapes, (&frame, None), (&traced, &circles), forces);
     captioned(&mut drawing, &frame, forces);
     Sketch::new(scene, &shapes, &frame).hidden(&mut drawing);
     Ok(described(scene, wanted, drawing))
@@ -159,14 +160,15 @@ pub fn frame_of_all(scenes: &[Scene<'_>], shapes: &[LinkShape], space: &Paper) -
 }
 
 /// The scheme of a position where others have their places too, without words and scales; with the paths of points.
-pub fn scheme_in(
-    scene: &Scene<'_>,
+pub fn scheme_in<'a>(
+    scene: &Scene<'a>,
     wanted: &Scheme,
     shapes: &[LinkShape],
     frame: &Frame,
     traced: &[Traced],
+    motion: Motion<'_, 'a>,
 ) -> Drawing {
-    drawn(scene, wanted, shapes, frame, (traced, &[]), None)
+    drawn(scene, wanted, shapes, (frame, Some(motion)), (traced, &[]), None)
 }
 
 /// With its title and what it shows.
@@ -192,16 +194,27 @@ pub fn efforts(scene: &Scene<'_>, frame: &Frame, taken: Vec<(Vec2, Vec2)>, drawi
     drawing.description += &sketch.said;
 }
 
-fn drawn(
-    scene: &Scene<'_>,
+/// What a train has in front view: wheels, all that runs between them, carriers, axes and the senses in which these turn.
+pub fn front_view(scene: &Scene<'_>, shapes: &[LinkShape], frame: &Frame, drawing: &mut Drawing) {
+    let mut sketch = Sketch::new(scene, shapes, frame);
+    sketch.wheels(|_| true, drawing);
+    sketch.transmissions(drawing);
+    sketch.bars(drawing);
+    sketch.hinges(drawing);
+    sketch.senses(drawing);
+}
+
+fn drawn<'a>(
+    scene: &Scene<'a>,
     wanted: &Scheme,
     shapes: &[LinkShape],
-    frame: &Frame,
+    (frame, motion): (&Frame, Option<Motion<'_, 'a>>),
     (traced, circles): (&[Traced], &[curvature::Circle]),
     forces: Option<Scale>,
 ) -> Drawing {
     let mut drawing = Drawing::new(&words::id(scene, wanted.shows.words()[0]), String::new(), String::new());
     let mut sketch = Sketch::new(scene, shapes, frame);
+    sketch.motion = motion;
     (sketch.numbers, sketch.forces) = (wanted.numbers, forces);
     if wanted.shows == Shows::Axial {
         sketch.shows_axial();
@@ -262,6 +275,7 @@ fn extent(scene: &Scene<'_>, shapes: &[LinkShape]) -> Rect {
     }
     profile::extent(scene, &mut bounds);
     pair::extent(scene, &mut bounds);
+    rope::extent(scene, &mut bounds);
     for spring in &mechanism.springs {
         for (link, at) in [spring.from, spring.to] {
             bounds.add(scene.at(link, at));
@@ -278,11 +292,20 @@ fn any_near(points: &[Vec2], at: Vec2, within: f64) -> bool {
     })
 }
 
+/// The motion of which a scheme is a frame: its marks show what turns and what runs.
+#[derive(Clone, Copy)]
+pub struct Motion<'s, 'a> {
+    /// The position at which a tooth is in a gap, and marks that run have their places.
+    pub rest: &'s Scene<'a>,
+    pub frames: &'s [Scene<'a>],
+}
+
 /// A scheme that is being drawn.
 struct Sketch<'a, 's> {
     scene: &'s Scene<'a>,
     shapes: &'s [LinkShape],
     frame: &'s Frame,
+    motion: Option<Motion<'s, 'a>>,
     /// Lines of the links on paper, when they are asked for; none for those that have their own symbol.
     outlines: OnceCell<Vec<Outline>>,
     /// All of them, each with the box of what is at it.
@@ -315,6 +338,7 @@ impl<'a, 's> Sketch<'a, 's> {
             scene,
             shapes,
             frame,
+            motion: None,
             outlines: OnceCell::new(),
             lines: OnceCell::new(),
             said,
@@ -335,11 +359,14 @@ impl<'a, 's> Sketch<'a, 's> {
         self.walls(drawing);
         self.mass_shapes(drawing);
         self.wheels(|_| true, drawing);
-        self.meshes(drawing);
+        self.transmissions(drawing);
+        self.thread_names(drawing);
         self.profiles(drawing);
         self.genevas(|_| true, drawing);
         self.plates(drawing);
         self.draw_blocks(drawing);
+        self.loads_on_ropes(drawing);
+        self.bare_shafts(drawing);
         self.bars(drawing);
         self.welds(drawing);
         self.slots(drawing);
@@ -382,6 +409,16 @@ impl<'a, 's> Sketch<'a, 's> {
     /// A direction of a link on paper.
     fn direction(&self, link: LinkId, along: Vec2) -> Vec2 {
         crate::inset::flipped(along.turned(self.scene.body(link).u))
+    }
+
+    /// The angle of a link on paper, rad.
+    fn angle_of(&self, link: LinkId) -> f64 {
+        -self.scene.body(link).u.angle()
+    }
+
+    /// How far a link has turned since marks were at rest, whole turns included, rad.
+    fn turned(&self, link: LinkId) -> f64 {
+        self.motion.map_or(0.0, |motion| self.scene.turned_since(motion.rest, link))
     }
 
     fn link_name(&self, link: LinkId) -> &'a str {

@@ -354,7 +354,8 @@ impl<'a> Sketch<'a, '_> {
                 Some(direction) => label.towards(direction),
                 None => label,
             };
-            if !any_near(&self.labelled, at, 0.05) {
+            // the pair of a shaft has the name of the shaft
+            if pair.bearing.is_none() && !any_near(&self.labelled, at, 0.05) {
                 drawing.label(label);
             }
             self.labelled.push(at);

@@ -4,13 +4,14 @@ use super::{Sketch, geneva, mass_shape};
 use crate::paper::Frame;
 use crate::scene::Scene;
 use crate::shape::LinkShape;
-use crate::symbol::{hinge, mass};
+use crate::symbol::wheel::spokes;
+use crate::symbol::{gear, hinge, mass};
 use assur_drawing::{Drawing, Label, Rect, Shape, Style, Text};
 use assur_math::element::cam::Cam;
 use assur_math::math::Vec2;
-use assur_model::model::{
-    CamContact, LinkId, PairId, PairKind, Profile, ProfileShape, TransmissionKind, Wheel,
-};
+use assur_model::model::{CamContact, LinkId, PairId, PairKind, Profile, ProfileShape, Wheel};
+
+use std::f64::consts::{FRAC_PI_2, TAU};
 
 /// How far a flat face goes beyond its contact, mm.
 const FACE: f64 = 7.0;
@@ -118,13 +119,13 @@ impl Sketch<'_, '_> {
             let Some(centre) = wheel.centre else { continue };
             drawing.begin("wheel", &wheel.name);
             let (centre, radius) = (self.on_paper(wheel.link, centre), self.frame.length(wheel.radius));
-            // a pitch circle is thin, the rim of a pulley or of a wheel that rolls is not
-            let meshes = self.scene.mechanism().pairs.iter().any(|pair| match &pair.kind {
-                PairKind::Transmission(t) => t.kind == TransmissionKind::Mesh && t.ends.contains(&wheel.name),
-                _ => false,
-            });
-            let style = if meshes { Style::Thin } else { Style::Medium };
-            drawing.mark(style, Shape::Circle { centre, radius });
+            drawing.mark(Style::Medium, Shape::Circle { centre, radius });
+            if wheel.link == LinkId::GROUND {
+                let about = |third: u8| FRAC_PI_2 + TAU * f64::from(third) / 3.0;
+                (0..3).for_each(|third| gear::held(drawing, centre, radius, about(third)));
+            } else if self.motion.is_some() {
+                spokes(drawing, centre, radius, self.angle_of(wheel.link));
+            }
             let label = Label::at(Text::name(&wheel.name), NAME, centre + DIAGONAL * radius, 0.3);
             drawing.label(label.towards(DIAGONAL).ranked(5));
             drawing.end();

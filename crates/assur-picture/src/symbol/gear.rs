@@ -34,23 +34,22 @@ pub fn reach(radius: f64) -> f64 {
     radius.min(ALONG) + RACK
 }
 
-/// A rack whose pitch line touches the pitch circle of a wheel on a side, with teeth where the wheel has any.
+/// A toothed line, its pitch line through a place, from and to coordinates along it. The teeth are about a place of their own on it, as
+/// far as there are so many on each side.
 pub fn rack(
     drawing: &mut Drawing,
-    (centre, radius): (Vec2, f64),
-    side: Vec2,
-    teeth: Option<f64>,
+    (touch, side): (Vec2, Vec2),
+    (from, to): (f64, f64),
+    teeth: Option<(f64, f64, i32)>,
     fixed: bool,
 ) {
-    let (touch, along) = (centre + side * radius, side.perp());
-    let reach = reach(radius);
-    let (from, to) = (touch - along * reach, touch + along * reach);
-    drawing.line(Style::Medium, from, to);
-    if let Some(teeth) = teeth {
-        let module = (2.0 * radius / teeth).max(MODULE);
+    let along = side.perp();
+    let (first, last) = (touch + along * from, touch + along * to);
+    drawing.line(Style::Medium, first, last);
+    if let Some((module, about, count)) = teeth {
         let mut points = Vec::new();
-        let places = (-2 * TEETH..2 * TEETH).map(|tooth| PI * module * (f64::from(tooth) + 0.5));
-        for place in places.filter(|place| place.abs() < reach) {
+        let places = (-count..count).map(|tooth| about + PI * module * (f64::from(tooth) + 0.5));
+        for place in places.filter(|place| (from..to).contains(place)) {
             let middle = touch + along * place;
             for (s, up) in [(-0.3, 1.0), (-0.15, -1.0), (0.15, -1.0), (0.3, 1.0)] {
                 points.push(middle + along * (s * PI * module) + side * (up * module));
@@ -59,7 +58,7 @@ pub fn rack(
         drawing.mark(Style::Thin, Shape::Lines { points, closed: false });
     }
     if fixed {
-        super::hinge::hatch(drawing, from, to, side);
+        super::hinge::hatch(drawing, first, last, side);
     }
 }
 
@@ -81,13 +80,6 @@ pub fn tangents(
         (c_a + normal * r_a, end)
     };
     Some([one(-1.0), one(1.0)])
-}
-
-/// A belt on two wheels.
-pub fn belt(drawing: &mut Drawing, a: (Vec2, f64), b: (Vec2, f64), crossed: bool) {
-    for (from, to) in tangents(a, b, crossed).into_iter().flatten() {
-        drawing.line(Style::Medium, from, to);
-    }
 }
 
 /// Hatching at the rim of a wheel of the ground.

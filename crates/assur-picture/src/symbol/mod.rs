@@ -8,3 +8,5 @@ pub mod guide;
 pub mod hinge;
 pub mod mass;
 pub mod spring;
+pub mod thread;
+pub mod wheel;

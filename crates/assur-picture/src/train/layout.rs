@@ -94,9 +94,8 @@ pub struct Run {
     pub wheels: [usize; 2],
     /// One lies within the other.
     pub internal: bool,
-    /// A belt or a chain joins them, and whether it is crossed.
+    /// A belt or a chain joins them.
     pub apart: bool,
-    pub crossed: bool,
     pub cones: Option<Cones>,
 }
 
@@ -104,14 +103,16 @@ impl Layout {
     /// The section of a mechanism.
     pub fn of(scene: &Scene<'_>) -> Self {
         let mechanism = scene.mechanism();
+        let shafts = shafts(mechanism);
         let drawn: Vec<usize> = (0..mechanism.wheels.len())
             .filter(|i| {
                 let wheel = &mechanism.wheels[*i];
-                (!scene.is_placed(wheel.link) || wheel.centre.is_none()) && !worm::is_worm(mechanism, *i)
+                let is_shaft = |link| shafts.iter().any(|shaft: &Shaft| shaft.link == link);
+                (is_shaft(wheel.link) || wheel.link == LinkId::GROUND) && !worm::is_worm(mechanism, *i)
             })
             .collect();
         let runs = runs(mechanism, &drawn);
-        let mut layout = Self { shafts: shafts(mechanism), ..Self::default() };
+        let mut layout = Self { shafts, ..Self::default() };
         let radii = radii(mechanism, &drawn);
         let columns = columns(&drawn, &runs);
         for (i, wheel) in drawn.iter().enumerate() {
@@ -147,6 +148,20 @@ impl Layout {
         let scale = Scale::fitting(self.wheels.iter().map(radius).fold(0.0, f64::max), LARGEST)?;
         let fits = |w: &Drawn| w.cone.is_none() && (w.radius - radius(w) / scale.factor()).abs() < 1e-9;
         (mechanism.open_sizes.is_empty() && self.wheels.iter().all(fits)).then_some(scale)
+    }
+
+    /// A millimetre of paper, m.
+    pub fn unit(&self, mechanism: &Mechanism) -> f64 {
+        let radii = mechanism.wheels.iter().map(|wheel| wheel.radius);
+        Scale::fitting(radii.fold(0.0, f64::max), LARGEST).map_or(1e-3, |scale| scale.factor())
+    }
+
+    /// The height of the axis of a wheel: of a ring of the ground that of the wheel in it shows it.
+    pub fn axis_level(&self, mechanism: &Mechanism, wheel: &Drawn) -> f64 {
+        match wheel.ring_at {
+            Some(touch) if mechanism.wheels[wheel.wheel].link == LinkId::GROUND => touch - wheel.radius,
+            _ => wheel.level,
+        }
     }
 
     /// Heights of the shafts, each from one that it meshes with.
@@ -352,8 +367,8 @@ fn same(a: f64, b: f64) -> bool {
 }
 
 fn shafts(mechanism: &Mechanism) -> Vec<Shaft> {
-    let open = mechanism.pairs.iter().filter(|p| p.bearing == Some(Bearing::Open));
-    let shafts = open.filter_map(|p| match &p.kind {
+    let own = mechanism.pairs.iter().filter(|p| p.bearing.is_some());
+    let shafts = own.filter_map(|p| match &p.kind {
         PairKind::Revolute(pins) => Some((pins.first()?.link, pins.last()?.link)),
         _ => None,
     });
@@ -390,15 +405,14 @@ fn runs(mechanism: &Mechanism, drawn: &[usize]) -> Vec<Run> {
             let links = [a, b].map(|i| mechanism.wheels[drawn[i]].link);
             let cones = bevel::cones(t, [a, b], links);
             let internal = t.kind == TransmissionKind::Mesh && cones.is_none() && is_internal(t, links);
-            let crossed = apart && crate::scheme::crossed(t, links[0], links[1]);
-            runs.push(Run { wheels: [a, b], internal, apart, crossed, cones });
+            runs.push(Run { wheels: [a, b], internal, apart, cones });
         }
     }
     runs
 }
 
 /// Whether one wheel lies within the other: then both turn in one sense, seen from their carrier.
-fn is_internal(t: &Transmission, links: [LinkId; 2]) -> bool {
+pub fn is_internal(t: &Transmission, links: [LinkId; 2]) -> bool {
     if let Some(meeting) = &t.meeting {
         return meeting.internal;
     }

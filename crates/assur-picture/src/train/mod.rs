@@ -4,20 +4,22 @@ mod bevel;
 mod front;
 mod layout;
 mod rack;
-mod rope;
+mod turning;
 mod wheels;
 mod worm;
 
-pub use front::FrontView;
+pub use layout::{Layout, is_internal};
 
 use crate::figures::TURNING;
 use crate::scene::Scene;
 use crate::symbol::{arrow, hinge};
 use assur_drawing::{Drawing, Label, Shape, Style, Text};
 use assur_math::math::Vec2;
-use assur_model::model::{BalanceKind, DriveTarget, LinkId, LoadId, LoadKind, PairId, Query, Value};
+use assur_model::model::{
+    BalanceKind, DriveTarget, LinkId, LoadId, LoadKind, PairId, PairKind, Query, Value,
+};
 use assur_text::diagnostic::Diagnosis;
-use layout::{Layout, Shaft};
+use layout::Shaft;
 use std::f64::consts::FRAC_PI_2;
 
 const NAME: f64 = 3.8;
@@ -38,6 +40,26 @@ const BLOCK: Vec2 = Vec2::new(5.0, 3.4);
 /// Whether a file has shafts or sliders without a place.
 pub fn has_train(scene: &Scene<'_>) -> bool {
     (1..scene.mechanism().links.len()).any(|i| !scene.is_placed(LinkId::at(i)))
+}
+
+/// Whether a machine in motion is seen from the side: shafts without places, and axes that meet.
+pub fn is_in_section(scene: &Scene<'_>) -> bool {
+    let is_bevel = |kind: &PairKind| matches!(kind, PairKind::Transmission(t) if t.bevel.is_some());
+    let mechanism = scene.mechanism();
+    mechanism.pairs.iter().any(|pair| is_bevel(&pair.kind))
+        && (1..mechanism.links.len()).all(|i| !scene.is_placed(LinkId::at(i)))
+}
+
+/// A frame of a train in section, whose wheels have marks where their teeth go by.
+pub fn section(scene: &Scene<'_>, rest: &Scene<'_>) -> Drawing {
+    let layout = Layout::of(scene);
+    let mut drawing = Drawing::new(&crate::words::id(scene, "train"), String::new(), String::new());
+    shafts(scene, &layout, 0, &mut drawing);
+    wheels::draw(scene, &layout, &mut drawing);
+    sliders(scene, &layout, 0, &mut drawing);
+    wheels::transmissions(scene, &layout, &mut drawing);
+    turning::marks(scene, &layout, &|link| scene.turned_since(rest, link), &mut drawing);
+    drawing
 }
 
 /// The section of all shafts without a place, and their front view.

@@ -5,7 +5,7 @@ use super::{BLOCK, NAME};
 use crate::scene::Scene;
 use assur_drawing::{Drawing, Label, Shape, Style, Text};
 use assur_math::math::Vec2;
-use assur_model::model::{LinkId, Mechanism, PairKind, Rate, Transmission, TransmissionKind};
+use assur_model::model::{LinkId, Mechanism, PairKind, Transmission, TransmissionKind};
 
 /// Between the faces of a wheel and its rack.
 const GAP: f64 = 1.1;
@@ -46,21 +46,5 @@ impl Rack<'_> {
         drawing.mark(Style::Block, Shape::polygon(corners));
         let text = Text::upright(scene.link_label(self.link));
         drawing.label(Label::at(text, NAME, at, BLOCK.x).towards(Vec2::new(1.0, 0.0)).ranked(2));
-    }
-
-    /// From its wheel to it, in front view: the wheel lies to the left of the line along which it slides.
-    pub fn side(&self, scene: &Scene<'_>) -> Vec2 {
-        let mechanism = scene.mechanism();
-        let slides = self.pair.laws.first().and_then(|law| {
-            law.terms.iter().find_map(|(rate, _)| match rate {
-                Rate::Slide(pair) => Some(*pair),
-                Rate::Turn(_) => None,
-            })
-        });
-        let along = slides.and_then(|pair| match &mechanism.pair(pair).kind {
-            PairKind::Prismatic(g) if scene.is_placed(g.slider) => Some(crate::inset::flipped(g.along)),
-            _ => None,
-        });
-        along.unwrap_or(Vec2::new(1.0, 0.0)).perp()
     }
 }

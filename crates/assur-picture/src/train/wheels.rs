@@ -3,13 +3,13 @@
 use super::layout::{BELL, Drawn, Layout, wheel_named};
 use super::{HOLLOW, NAME, SMALL, bevel, rack, worm};
 use crate::scene::Scene;
-use crate::symbol::hinge;
+use crate::symbol::{hinge, thread};
 use assur_drawing::{Drawing, Label, Style, Text};
 use assur_math::math::Vec2;
 use assur_model::model::{LinkId, Mechanism, PairKind, Transmission, TransmissionKind};
 
 /// Half the width of a wheel's face.
-const FACE: f64 = 3.5;
+pub const FACE: f64 = 3.5;
 /// Half the gap between the faces of two wheels that mesh.
 const GAP: f64 = 0.55;
 /// Half the length of a spindle.
@@ -80,7 +80,7 @@ pub fn transmissions(scene: &Scene<'_>, layout: &Layout, drawing: &mut Drawing) 
     let mechanism = scene.mechanism();
     for pair in &mechanism.pairs {
         let PairKind::Transmission(t) = &pair.kind else { continue };
-        if t.links.iter().all(|l| scene.is_placed(*l)) {
+        if t.links.iter().all(|link| layout.shafts.iter().all(|shaft| shaft.link != *link)) {
             continue;
         }
         drawing.begin("pair", &pair.name);
@@ -139,7 +139,7 @@ fn worm(mechanism: &Mechanism, layout: &Layout, t: &Transmission, drawing: &mut 
 /// A spindle with its nut on it.
 fn screw(layout: &Layout, t: &Transmission, drawing: &mut Drawing) -> Option<Vec2> {
     let shaft = layout.shafts.iter().find(|s| t.links.contains(&s.link))?;
-    worm::spindle(drawing, shaft.spindle(), SCREW);
+    thread::thread(drawing, shaft.spindle(), SCREW, 0.0);
     Some(shaft.spindle() + Vec2::new(SCREW, 0.0))
 }
 

@@ -1,16 +1,10 @@
 //! Worms: seen from their end in section, on their shafts across their wheels in front view.
 
-use super::layout::{Drawn, Layout, Shaft, wheel_named};
+use super::layout::{Drawn, Layout, wheel_named};
 use assur_drawing::{Drawing, Shape, Style};
 use assur_math::math::Vec2;
 use assur_model::model::{LinkId, Mechanism, PairKind, Transmission, TransmissionKind};
 
-/// Half the height of a thread, and half the length of a worm.
-const HEIGHT: f64 = 2.2;
-pub const HALF: f64 = 7.0;
-/// From a worm to the end of its shaft with the bearing, and to the other end.
-const LONG: f64 = 14.0;
-const SHORT: f64 = 4.0;
 /// From the pitch circle of a wheel to the axis of its worm.
 const AXIS: f64 = 3.0;
 
@@ -45,33 +39,4 @@ pub fn section(drawing: &mut Drawing, wheel: &Drawn) -> Vec2 {
     drawing.mark(Style::Hinge, Shape::Circle { centre, radius: AXIS - 0.4 });
     drawing.mark(Style::Hinge, Shape::Circle { centre, radius: 1.0 });
     centre
-}
-
-/// In front view: the shafts of worms that are across all others, and where their threads are.
-pub fn placed(mechanism: &Mechanism, layout: &Layout, centre: impl Fn(&Drawn) -> Vec2) -> Vec<(Shaft, Vec2)> {
-    let one = |t: &Transmission| {
-        let link = *t.links.first()?;
-        let drawn = &layout.wheels[wheel(mechanism, layout, t)?];
-        let at = centre(drawn) - Vec2::new(0.0, drawn.radius + AXIS);
-        let ends = (at.x - HALF - LONG, at.x + HALF + SHORT);
-        is_across(mechanism, link)
-            .then(|| (Shaft { ends, level: -at.y, ..Shaft::new(link, LinkId::GROUND) }, at))
-    };
-    worms(mechanism).filter_map(one).collect()
-}
-
-/// The turns of a worm on its shaft.
-pub fn thread(drawing: &mut Drawing, at: Vec2) {
-    spindle(drawing, at, HALF);
-}
-
-/// A line with the turns of a thread.
-pub fn spindle(drawing: &mut Drawing, at: Vec2, half: f64) {
-    let count = 2 * (half / 1.75).round().max(2.0) as i32;
-    let point = |i: i32| {
-        let x = at.x - half + 2.0 * half * f64::from(i) / f64::from(count);
-        Vec2::new(x, at.y + if i % 2 == 0 { HEIGHT } else { -HEIGHT })
-    };
-    drawing.mark(Style::Medium, Shape::Lines { points: (0..=count).map(point).collect(), closed: false });
-    drawing.line(Style::Medium, at - Vec2::new(half, 0.0), at + Vec2::new(half, 0.0));
 }

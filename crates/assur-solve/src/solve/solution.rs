@@ -38,7 +38,7 @@ pub struct OpenSizes {
     pub laws: Vec<usize>,
 }
 
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Pose {
     /// `1`, `2`, … for a sweep; the name of a pose of its own; for an added one the drive values in words.
     pub name: String,

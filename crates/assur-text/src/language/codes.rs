@@ -341,6 +341,7 @@ pub static CODES: &[Code] = codes! {
     "picture" / "unknown",
     "picture" / "no_point",
     "picture" / "no_way",
+    "picture" / "nothing_moves",
     "picture" / "no_scale",
     "picture" / "no_true_size",
     // sheets

@@ -1,0 +1,219 @@
+//! Belts, ropes, what ropes carry, nuts, and ends of shafts without wheels.
+
+use super::link::POINT;
+use super::{LinkId, Sketch};
+use crate::machine::{End, Rope, wound};
+use crate::scene::Scene;
+use crate::symbol::{arrow, gear, guide, hinge, wheel};
+use assur_drawing::{Drawing, Label, Rect, Role, Shape, Style, Text};
+use assur_math::math::Vec2;
+use assur_model::model::{Bearing, PairKind, Transmission, TransmissionKind, Wheel};
+
+use std::f64::consts::PI;
+
+/// From an idler to the ceiling, and half the length of a piece of that.
+const CEILING: f64 = 2.5;
+const PIECE: f64 = 4.0;
+/// Half the length and half the height of what a rope carries.
+const LOAD: Vec2 = Vec2::new(5.0, 3.4);
+/// Size of what is said of a belt or a rope.
+const SMALL: f64 = POINT * 0.75;
+const LETTERS: f64 = 4.0;
+/// The end of a shaft without wheels.
+const SHAFT: f64 = 3.4;
+/// How far the guide of a nut goes beyond it.
+const GUIDE: f64 = 6.0;
+
+/// What ropes and threads take, m.
+pub fn extent(scene: &Scene<'_>, bounds: &mut Rect) {
+    let Some(laid) = scene.laid else { return };
+    for station in laid.ropes.iter().flat_map(|rope| &rope.stations) {
+        super::profile::round(bounds, scene.at(station.link, station.at), station.radius);
+    }
+    laid.threads.iter().for_each(|thread| super::profile::round(bounds, thread.at, thread.half));
+}
+
+impl Sketch<'_, '_> {
+    /// A belt or a chain, with marks that run where it moves.
+    pub(super) fn belt(&self, drawing: &mut Drawing, t: &Transmission, a: &Wheel, b: &Wheel) {
+        let disc = |wheel: &Wheel| (self.centre(wheel), self.frame.length(wheel.radius));
+        let (c_a, r_a) = disc(a);
+        let crossed = super::crossed(t, a.link, b.link);
+        for (from, to) in gear::tangents(disc(a), disc(b), crossed).into_iter().flatten() {
+            drawing.line(Style::Medium, from, to);
+            if self.motion.is_some() {
+                // y of paper is down
+                let sense = -(from - c_a).perp().dot(to - from).signum();
+                wheel::running(drawing, from, to, sense * self.turned(a.link) * r_a);
+            }
+        }
+    }
+
+    /// A rope along all that it touches.
+    pub(super) fn rope(&self, drawing: &mut Drawing, rope: &Rope) {
+        drawing.begin("pair", &self.scene.mechanism().pair(rope.pair).name);
+        let place = |i: usize| {
+            let station = &rope.stations[i];
+            (self.scene.at(station.link, station.at), station.radius * station.sense)
+        };
+        let runs = self.runs(rope);
+        let mut longest: Option<(Vec2, Vec2)> = None;
+        for i in 1..rope.stations.len() {
+            let Some(ends) = wound(place(i - 1), place(i)) else { continue };
+            let [from, to] = ends.map(|end| self.frame.point(end));
+            drawing.line(Style::Medium, from, to);
+            if self.motion.is_some() {
+                wheel::running(drawing, from, to, self.frame.length(runs[i - 1]));
+            }
+            if longest.is_none_or(|(a, b)| (b - a).norm() < (to - from).norm()) {
+                longest = Some((from, to));
+            }
+        }
+        for (i, station) in rope.stations.iter().enumerate() {
+            let (at, radius) = (self.frame.point(place(i).0), self.frame.length(station.radius));
+            let run = runs.get(i.wrapping_sub(1)).or(runs.first()).copied().unwrap_or(0.0);
+            self.station(drawing, &station.end, (at, radius), -station.sense * self.frame.length(run));
+        }
+        if let Some((a, b)) = longest {
+            let words = format!("{} (rope)", self.scene.mechanism().pair(rope.pair).name);
+            drawing.label(Label::along(Text::upright(&words), SMALL, a, b).ranked(5));
+        }
+        drawing.end();
+    }
+
+    /// A pulley, which the rope turns by so much of its rim, or where the rope is fastened.
+    fn station(&self, drawing: &mut Drawing, end: &End, (at, radius): (Vec2, f64), run: f64) {
+        let ceiling = |drawing: &mut Drawing, at: Vec2| {
+            let half = Vec2::new(PIECE, 0.0);
+            drawing.line(Style::Medium, at - half, at + half);
+            hinge::hatch(drawing, at - half, at + half, Vec2::new(0.0, -1.0));
+        };
+        match end {
+            End::Under(link) => drawing.line(Style::Link, at, self.on_paper(*link, Vec2::zero())),
+            End::Over(_) => {
+                let top = at - Vec2::new(0.0, radius + CEILING);
+                drawing.line(Style::Link, at, top);
+                ceiling(drawing, top);
+            }
+            End::Ground(_) => return ceiling(drawing, at),
+            End::Wheel(_) | End::Slider(_) => return,
+        }
+        drawing.mark(Style::Hinge, Shape::Circle { centre: at, radius });
+        if self.motion.is_some() {
+            wheel::spokes(drawing, at, radius, run / radius);
+        }
+        hinge::moving(drawing, at);
+        if let End::Over(name) = end {
+            drawing.label(Label::at(Text::upright(name), SMALL, at, radius).ranked(4));
+        }
+    }
+
+    /// How far each part of a rope has run since the first frame, towards its last end, m.
+    fn runs(&self, rope: &Rope) -> Vec<f64> {
+        let down = |link: LinkId| -self.slid(link).y;
+        let mut run = 0.0;
+        let runs = rope.stations.iter().map(|station| {
+            match &station.end {
+                End::Wheel(_) => run = station.sense * station.radius * self.turned(station.link),
+                End::Slider(link) => run = -down(*link),
+                End::Under(link) => run -= 2.0 * down(*link),
+                End::Over(_) => {}
+                End::Ground(_) => run = 0.0,
+            }
+            run
+        });
+        runs.collect()
+    }
+
+    /// Blocks of sliders that were laid out: loads of ropes, nuts with the guide that keeps them from turning.
+    pub(super) fn loads_on_ropes(&mut self, drawing: &mut Drawing) {
+        let mechanism = self.scene.mechanism();
+        let of = |kind: TransmissionKind, link: LinkId| {
+            mechanism.pairs.iter().any(
+                |pair| matches!(&pair.kind, PairKind::Transmission(t) if t.kind == kind && t.links.contains(&link)),
+            )
+        };
+        for (i, pair) in mechanism.pairs.iter().enumerate() {
+            let PairKind::Prismatic(g) = &pair.kind else { continue };
+            let is_rack = of(TransmissionKind::Rack, g.slider);
+            if pair.bearing != Some(Bearing::Placed) || is_rack {
+                continue;
+            }
+            drawing.begin("link", self.link_name(g.slider));
+            let at = self.on_paper(g.slider, Vec2::zero());
+            if of(TransmissionKind::Screw, g.slider) {
+                let (least, most) = self.scene.way(assur_model::model::PairId::at(i));
+                let here = (self.scene.at(g.slider, g.point) - g.through).dot(g.along);
+                let ends = [least - here, most - here].map(|s| self.frame.length(s));
+                guide::rail(
+                    drawing,
+                    at,
+                    Vec2::new(1.0, 0.0),
+                    (ends[0] - LOAD.x - GUIDE, ends[1] + LOAD.x + GUIDE),
+                );
+            }
+            guide::block(drawing, at, Vec2::new(1.0, 0.0), (-LOAD.x, LOAD.x), LOAD.y);
+            self.blocks.push((g.slider, at, Vec2::new(1.0, 0.0), LOAD));
+            drawing.end();
+        }
+    }
+
+    /// Shafts without wheels, so that their turn is seen.
+    pub(super) fn bare_shafts(&self, drawing: &mut Drawing) {
+        let mechanism = self.scene.mechanism();
+        for pair in mechanism.pairs.iter().filter(|pair| pair.bearing == Some(Bearing::Placed)) {
+            let PairKind::Revolute(pins) = &pair.kind else { continue };
+            let Some(pin) = pins.last() else { continue };
+            let clutched = mechanism.pairs.iter().any(|pair| match &pair.kind {
+                PairKind::Transmission(t) => {
+                    t.kind == TransmissionKind::Clutch && t.links.contains(&pin.link)
+                }
+                _ => false,
+            });
+            if clutched || self.motion.is_none() || mechanism.wheels.iter().any(|w| w.link == pin.link) {
+                continue;
+            }
+            drawing.begin("link", self.link_name(pin.link));
+            let centre = self.on_paper(pin.link, pin.at);
+            drawing.mark(Style::Medium, Shape::Circle { centre, radius: SHAFT });
+            wheel::spokes(drawing, centre, SHAFT, self.angle_of(pin.link));
+            drawing.end();
+        }
+    }
+
+    /// The sense in which each shaft turns: on its wheel, of a carrier on the way of its planet.
+    pub(super) fn senses(&self, drawing: &mut Drawing) {
+        let mechanism = self.scene.mechanism();
+        for pair in mechanism.pairs.iter().filter(|pair| pair.bearing == Some(Bearing::Placed)) {
+            let PairKind::Revolute(pins) = &pair.kind else { continue };
+            let Some(link) = pins.last().map(|pin| pin.link) else { continue };
+            let omega = self.scene.body(link).omega;
+            if omega == 0.0 || !omega.is_finite() {
+                continue;
+            }
+            let at = self.on_paper(link, Vec2::zero());
+            let own = mechanism.wheels.iter().filter(|wheel| wheel.link == link);
+            let least = own.map(|wheel| self.frame.length(wheel.radius)).fold(f64::INFINITY, f64::min);
+            let carried = mechanism.pairs.iter().find_map(|other| match &other.kind {
+                PairKind::Revolute(pins) if other.bearing.is_some() && pins[0].link == link => {
+                    Some(self.frame.length(pins[0].at.norm()))
+                }
+                _ => None,
+            });
+            let (radius, middle, sweep) = match carried {
+                Some(arm) if arm > 4.0 => (arm, PI * 0.78, 9.0 / arm),
+                _ if pins[0].link != LinkId::GROUND => (0.55 * least, 0.0, 1.4),
+                _ => (0.5 * least.min(40.0), PI, 1.4),
+            };
+            if !radius.is_finite() || radius < 1.5 {
+                continue;
+            }
+            drawing.begin("turn", self.link_name(link));
+            arrow::turn(drawing, Style::Drive, at, radius, (middle, sweep), omega > 0.0);
+            let tip = arrow::middle(at, radius, middle);
+            let label = Label::at(self.scene.indexed("ω", link), LETTERS, tip, 0.5);
+            drawing.label(label.towards(tip - at).coloured(Role::Blue).ranked(2));
+        }
+        drawing.end();
+    }
+}
