@@ -18,6 +18,7 @@ mod frames;
 mod freed;
 mod leaders;
 mod looks;
+mod moved;
 mod mutated;
 mod numbers;
 mod over_sweeps;

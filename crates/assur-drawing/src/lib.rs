@@ -35,7 +35,7 @@ pub use mark::{Mark, Obstacle, Shape, on_circle};
 pub use number::{Number, number};
 pub use placement::Later;
 pub use rules::{FAMILIES, page_rules};
-pub use scale::{SERIES, Scale, plain, round_length};
+pub use scale::{SERIES, Scale, plain, round_length, ten_to};
 pub use style::{CURVES, Paint, STYLES, Style};
 pub use svg::{escaped, in_light, mark_svg};
 pub use text::{Level, Run, Set, Text};

@@ -70,12 +70,14 @@ pub fn plain(mantissa: f64, exponent: i32) -> String {
         let value: f64 = format!("{mantissa}e{exponent}").parse().unwrap_or(f64::NAN);
         return format!("{value}");
     }
-    let power: String = exponent.to_string().chars().map(raised).collect();
-    if (mantissa - 1.0).abs() < f64::EPSILON {
-        format!("10{power}")
-    } else {
-        format!("{mantissa}·10{power}")
-    }
+    let power = ten_to(exponent);
+    if (mantissa - 1.0).abs() < f64::EPSILON { power } else { format!("{mantissa}·{power}") }
+}
+
+/// A power of ten as it is printed: `10⁻⁴`.
+#[must_use]
+pub fn ten_to(exponent: i32) -> String {
+    format!("10{}", exponent.to_string().chars().map(raised).collect::<String>())
 }
 
 const fn raised(c: char) -> char {

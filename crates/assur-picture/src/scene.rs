@@ -134,6 +134,17 @@ impl<'a> Scene<'a> {
                 .any(|p| p.bearing == Some(Bearing::Open) && owner(&p.kind) == link)
     }
 
+    /// A force or a speed of a slider without a place, of which its coordinate alone is known, along the way on which it was laid out.
+    #[must_use]
+    pub fn as_laid(&self, link: LinkId, vector: Vec2) -> Vec2 {
+        let own = self.mechanism().pairs.iter().filter(|pair| pair.bearing == Some(Bearing::Placed));
+        let along = own.filter_map(|pair| match &pair.kind {
+            PairKind::Prismatic(g) if g.slider == link => Some(g.along),
+            _ => None,
+        });
+        along.take(1).fold(vector, |vector, along| vector.turned(along))
+    }
+
     /// Whether it is the barrel or the rod of a cylinder.
     #[must_use]
     pub fn is_in_cylinder(&self, link: LinkId) -> bool {

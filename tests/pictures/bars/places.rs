@@ -3,7 +3,7 @@
 use super::Judged;
 use assur::internals::drawing::{Shape, Style};
 use assur::internals::math::Vec2;
-use assur::internals::model::{LinkId, PairKind};
+use assur::internals::model::{Bearing, LinkId, PairKind};
 
 /// How far a hinge may be off, mm.
 const OFF: f64 = 0.01;
@@ -11,7 +11,9 @@ const OFF: f64 = 0.01;
 /// Distances of hinges on paper are those of the solution over the scale factor. How many hinges there are.
 pub fn hinges(judged: &Judged<'_>, wrong: &mut Vec<String>) -> usize {
     let Some(factor) = judged.factor("Length scale ") else { return 0 };
+    // where a shaft without a place is laid out is a matter of the picture
     let pairs = judged.shown.model.mechanism.pairs.iter();
+    let pairs = pairs.filter(|pair| pair.bearing != Some(Bearing::Open));
     let hinges = pairs.filter_map(|pair| {
         let PairKind::Revolute(pins) = &pair.kind else { return None };
         let pin = pins.iter().find(|p| p.link != LinkId::GROUND)?;

@@ -21,7 +21,7 @@ pub(crate) fn side(properties: &[Read]) -> Option<Bevel> {
 }
 
 /// Reports what bevel wheels cannot have.
-pub(crate) fn fits(cx: &mut Context<'_>, properties: &[Read], wheels: [&Wheel; 2]) -> Option<()> {
+pub(crate) fn fits(cx: &mut Context<'_>, properties: &[Read]) -> Option<()> {
     if let Some(other) = OF_A_PLANE.iter().find_map(|name| find(properties, name)) {
         let message = format!("`{}` is for wheels in one plane", other.name);
         let help = match other.name {
@@ -29,10 +29,6 @@ pub(crate) fn fits(cx: &mut Context<'_>, properties: &[Read], wheels: [&Wheel; 2
             _ => "leave it out: the speeds and torques of bevel wheels need the teeth alone",
         };
         return no_place(cx, &message, help.into(), other.span);
-    }
-    if let Some(placed) = wheels.into_iter().find(|wheel| wheel.centre.is_some()) {
-        let message = format!("wheel `{}` has a position", placed.name);
-        return no_place(cx, &message, "leave out `at` and its point".into(), placed.span);
     }
     Some(())
 }

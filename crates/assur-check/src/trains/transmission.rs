@@ -227,7 +227,7 @@ fn wheels(
     let carrier = carrier(cx, &a, &b, joint.name.span)?;
     let bevel = bevel::side(properties);
     if bevel.is_some() {
-        bevel::fits(cx, properties, [&a, &b])?;
+        bevel::fits(cx, properties)?;
     }
     let c_2 = if bevel == Some(Bevel::Far) { -c_2 } else { c_2 };
     let mut meeting = None;

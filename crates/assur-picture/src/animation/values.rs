@@ -119,8 +119,7 @@ impl Column {
             "°" => "°".to_owned(),
             unit => format!(" {unit}"),
         };
-        let power =
-            if power == 0 { String::new() } else { format!("·{}", assur_drawing::plain(1.0, power)) };
+        let power = if power == 0 { String::new() } else { format!("·{}", assur_drawing::ten_to(power)) };
         Self {
             name: name.to_owned(),
             unit: power + &unit,

@@ -1,14 +1,14 @@
 //! The frames of an animation: the positions of the way that closes, there and back where it is not a turn, or even steps of time where
 //! the speeds are all that is known.
 
-use super::moved_link;
+use super::{has_shafts_alone, moved_link};
 use crate::error;
 use crate::inset::wrapped;
 use crate::kind::Options;
 use crate::no_diagram;
 use crate::scene::Scene;
 use assur_math::math::Vec2;
-use assur_model::model::{DriveTarget, LinkId, PairKind, Positions};
+use assur_model::model::{DriveTarget, PairKind, Positions};
 use assur_solve::answer::NoSweep;
 use assur_solve::solve::{Cause, DriveValue, Pose};
 use assur_text::diagnostic::Diagnosis;
@@ -154,20 +154,17 @@ fn ends_as_it_began(scene: &Scene<'_>, frames: &Frames) -> bool {
 /// Even steps of time at constant speeds, of shafts and sliders alone.
 fn steady(scene: &Scene<'_>, options: &Options) -> Option<Frames> {
     let mechanism = scene.mechanism();
-    let owned =
-        |link: LinkId| mechanism.pairs.iter().any(|p| p.bearing.is_some() && moved_link(&p.kind) == link);
     let links = 1..mechanism.links.len();
-    if mechanism.simulation.is_some() || !links.clone().map(LinkId::at).all(owned) {
+    if mechanism.simulation.is_some() || !has_shafts_alone(mechanism) {
         return None;
     }
     let bodies = &scene.solved.state.motion.bodies;
-    let omega: Vec<f64> = links.clone().map(|i| bodies[i].omega).collect();
-    let speed = links.map(|i| bodies[i].v.norm()).filter(|v| v.is_finite());
-    let fastest_slider = mechanism.pairs.iter().filter_map(|pair| match &pair.kind {
-        PairKind::Prismatic(g) => Some(bodies[g.slider.index()].v.norm()).filter(|v| v.is_finite()),
+    let omega: Vec<f64> = links.map(|i| bodies[i].omega).collect();
+    let sliders = mechanism.pairs.iter().filter_map(|pair| match &pair.kind {
+        PairKind::Prismatic(g) => Some(bodies[g.slider.index()].v.norm()),
         _ => None,
     });
-    let (fastest_slider, _) = (fastest_slider.fold(0.0, f64::max), speed);
+    let fastest_slider = sliders.filter(|v| v.is_finite()).fold(0.0, f64::max);
     let largest = mechanism.wheels.iter().map(|w| w.radius).fold(0.0, f64::max);
     let most =
         if fastest_slider > 0.0 && largest > 0.0 { TRAVEL * largest / fastest_slider } else { f64::INFINITY };

@@ -233,8 +233,13 @@ impl Room<'_, '_> {
             if all.iter().any(|t| self.step(t)) {
                 continue;
             }
+            let meets = |link: LinkId| {
+                let bevel = all.iter().filter(|t| t.bevel.is_some() && t.links.contains(&link));
+                bevel.flat_map(|t| &t.links).any(|other| !self.is_left(*other))
+            };
+            let links = (1..self.axes.len()).map(LinkId::at);
             let left: Vec<LinkId> =
-                (1..self.axes.len()).map(LinkId::at).filter(|l| self.turns(*l) && self.is_left(*l)).collect();
+                links.filter(|link| self.turns(*link) && self.is_left(*link) && !meets(*link)).collect();
             let Some(link) = left.iter().copied().min_by_key(|l| self.is_left(self.carrier(*l))) else {
                 return;
             };
@@ -268,6 +273,8 @@ impl Room<'_, '_> {
     /// Places what a transmission joins to what has a place; whether there was anything.
     fn step(&mut self, t: &Transmission) -> bool {
         match t.kind {
+            // an axis that meets another is none of the picture
+            TransmissionKind::Mesh if t.bevel.is_some() => false,
             TransmissionKind::Mesh | TransmissionKind::Belt | TransmissionKind::Chain => {
                 let wheels: Vec<usize> = t.ends.iter().filter_map(|end| self.wheel_named(end)).collect();
                 let [a, b] = wheels.as_slice() else { return false };
@@ -314,7 +321,6 @@ impl Room<'_, '_> {
             self.axis(carrier).filter(|_| self.carrier(other) == LinkId::GROUND && carrier != LinkId::GROUND);
         let [r_1, r_2] = [known, new].map(|i| self.mechanism.wheels[i].radius);
         let apart = match t.kind {
-            TransmissionKind::Mesh if t.bevel.is_some() => 0.0,
             TransmissionKind::Mesh if crate::train::is_internal(t, [own, other]) => (r_1 - r_2).abs(),
             TransmissionKind::Mesh => r_1 + r_2,
             _ => r_1 + r_2 + GAP * self.unit,

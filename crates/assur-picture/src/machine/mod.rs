@@ -65,6 +65,18 @@ impl Laid {
         Some(laid)
     }
 
+    /// The mechanism of a scene at its position and on its way.
+    pub fn at_rest(scene: &Scene<'_>) -> Option<Self> {
+        let all = std::iter::once(scene.pose).chain(scene.turn);
+        Self::of(scene, &mut all.cloned().collect())
+    }
+
+    /// The scene of its first position, the others on the way around it.
+    pub fn still<'l>(&'l self, scene: &Scene<'l>) -> Option<Scene<'l>> {
+        let first = self.scenes(scene).into_iter().next()?;
+        Some(Scene { turn: self.poses.get(1..).unwrap_or_default(), ..first })
+    }
+
     /// The scenes of its positions.
     pub fn scenes<'l>(&'l self, scene: &Scene<'l>) -> Vec<Scene<'l>> {
         let model = Model { mechanism: &self.mechanism, ..scene.model };
@@ -132,6 +144,14 @@ fn place_body(kind: &PairKind, bodies: &mut [BodyState], shares: &[f64]) {
         }
         _ => {}
     }
+}
+
+/// Whether all links are shafts and sliders.
+pub fn has_shafts_alone(mechanism: &Mechanism) -> bool {
+    let owned = |link: LinkId| {
+        mechanism.pairs.iter().any(|pair| pair.bearing.is_some() && moved_link(&pair.kind) == link)
+    };
+    (1..mechanism.links.len()).map(LinkId::at).all(owned)
 }
 
 /// The link that a pair of a shaft or a slider brings along, and the one on which that moves.

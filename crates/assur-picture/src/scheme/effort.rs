@@ -217,6 +217,7 @@ impl Sketch<'_, '_> {
                     Value::Vector(f),
                 ) => {
                     let at = self.frame.point(scene.view().place(*on, at));
+                    let f = scene.as_laid(*on, f);
                     if let (Some(along), true) = (flipped(f).unit(), scene.is_placed(*on)) {
                         let (length, force) =
                             (self.arrow(f.norm(), LENGTH), self.with_force(force, f.norm()));
@@ -285,7 +286,14 @@ impl Sketch<'_, '_> {
                         {
                             let at = self.frame.point(at);
                             let length = self.arrow_of(i, UNKNOWN);
-                            self.push(drawing, Style::Unknown, at, flipped(along), length, name);
+                            self.push(
+                                drawing,
+                                Style::Unknown,
+                                at,
+                                flipped(scene.as_laid(*on, along)),
+                                length,
+                                name,
+                            );
                         }
                     }
                     BalanceKind::InPair(pair) => {

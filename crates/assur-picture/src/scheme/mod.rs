@@ -27,6 +27,7 @@ pub use profile::Freed;
 pub use true_size::true_size;
 pub use ways::{Traced, asked};
 
+use crate::machine::Laid;
 use crate::paper::{Frame, Paper, Scaled, Scales};
 use crate::scene::Scene;
 use crate::shape::{LinkShape, Outline, shapes};
@@ -133,6 +134,8 @@ const BAR: f64 = 25.0;
 /// # Errors
 /// A path is wanted of a point that is not there, or where the drive has no way.
 pub fn scheme(scene: &Scene<'_>, wanted: &Scheme) -> Result<Drawing, Diagnosis> {
+    let laid = Laid::at_rest(scene);
+    let scene = &laid.as_ref().and_then(|laid| laid.still(scene)).unwrap_or(*scene);
     let shapes = shapes(scene);
     let traced = ways::traced(scene, wanted)?;
     let mut bounds = extent(scene, &shapes);
@@ -196,12 +199,11 @@ pub fn efforts(scene: &Scene<'_>, frame: &Frame, taken: Vec<(Vec2, Vec2)>, drawi
 
 /// What a train has in front view: wheels, all that runs between them, carriers, axes and the senses in which these turn.
 pub fn front_view(scene: &Scene<'_>, shapes: &[LinkShape], frame: &Frame, drawing: &mut Drawing) {
-    let mut sketch = Sketch::new(scene, shapes, frame);
+    let sketch = Sketch::new(scene, shapes, frame);
     sketch.wheels(|_| true, drawing);
     sketch.transmissions(drawing);
     sketch.bars(drawing);
-    sketch.hinges(drawing);
-    sketch.senses(drawing);
+    sketch.axes(drawing);
 }
 
 fn drawn<'a>(

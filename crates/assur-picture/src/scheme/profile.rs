@@ -141,8 +141,11 @@ impl Sketch<'_, '_> {
                 match profile.shape {
                     ProfileShape::Circle(centre, radius) if !self.is_roller(profile, centre) => {
                         let centre = self.on_paper(profile.link, centre);
-                        drawing
-                            .mark(Style::Plate, Shape::Circle { centre, radius: self.frame.length(radius) });
+                        let radius = self.frame.length(radius);
+                        drawing.mark(Style::Plate, Shape::Circle { centre, radius });
+                        if self.motion.is_some() && profile.link != LinkId::GROUND {
+                            spokes(drawing, centre, radius, self.angle_of(profile.link));
+                        }
                     }
                     ProfileShape::Line(at, along) => self.face(drawing, PairId::at(i), profile, at, along),
                     ProfileShape::Rim(contact) => self.cam(drawing, contact),

@@ -7,7 +7,7 @@ use crate::scene::Scene;
 use crate::symbol::{arrow, gear, guide, hinge, wheel};
 use assur_drawing::{Drawing, Label, Rect, Role, Shape, Style, Text};
 use assur_math::math::Vec2;
-use assur_model::model::{Bearing, PairKind, Transmission, TransmissionKind, Wheel};
+use assur_model::model::{Bearing, PairId, PairKind, Transmission, TransmissionKind, Wheel};
 
 use std::f64::consts::PI;
 
@@ -15,11 +15,11 @@ use std::f64::consts::PI;
 const CEILING: f64 = 2.5;
 const PIECE: f64 = 4.0;
 /// Half the length and half the height of what a rope carries.
-const LOAD: Vec2 = Vec2::new(5.0, 3.4);
+const LOAD: Vec2 = Vec2::new(5.0, 3.6);
 /// Size of what is said of a belt or a rope.
 const SMALL: f64 = POINT * 0.75;
 const LETTERS: f64 = 4.0;
-/// The end of a shaft without wheels.
+/// A link that is a hinge alone.
 const SHAFT: f64 = 3.4;
 /// How far the guide of a nut goes beyond it.
 const GUIDE: f64 = 6.0;
@@ -89,16 +89,19 @@ impl Sketch<'_, '_> {
             hinge::hatch(drawing, at - half, at + half, Vec2::new(0.0, -1.0));
         };
         match end {
-            End::Under(link) => drawing.line(Style::Link, at, self.on_paper(*link, Vec2::zero())),
-            End::Over(_) => {
-                let top = at - Vec2::new(0.0, radius + CEILING);
-                drawing.line(Style::Link, at, top);
-                ceiling(drawing, top);
-            }
             End::Ground(_) => return ceiling(drawing, at),
             End::Wheel(_) | End::Slider(_) => return,
+            End::Over(_) | End::Under(_) => {}
         }
         drawing.mark(Style::Hinge, Shape::Circle { centre: at, radius });
+        let held = match end {
+            End::Under(link) => self.on_paper(*link, Vec2::zero()),
+            _ => at - Vec2::new(0.0, radius + CEILING),
+        };
+        drawing.line(Style::Link, at, held);
+        if let End::Over(_) = end {
+            ceiling(drawing, held);
+        }
         if self.motion.is_some() {
             wheel::spokes(drawing, at, radius, run / radius);
         }
@@ -141,57 +144,61 @@ impl Sketch<'_, '_> {
             }
             drawing.begin("link", self.link_name(g.slider));
             let at = self.on_paper(g.slider, Vec2::zero());
-            if of(TransmissionKind::Screw, g.slider) {
-                let (least, most) = self.scene.way(assur_model::model::PairId::at(i));
+            let along = Vec2::new(1.0, 0.0);
+            let is_nut = of(TransmissionKind::Screw, g.slider);
+            let half = if is_nut { guide::BLOCK } else { LOAD };
+            if is_nut {
+                let (least, most) = self.scene.way(PairId::at(i));
                 let here = (self.scene.at(g.slider, g.point) - g.through).dot(g.along);
                 let ends = [least - here, most - here].map(|s| self.frame.length(s));
-                guide::rail(
-                    drawing,
-                    at,
-                    Vec2::new(1.0, 0.0),
-                    (ends[0] - LOAD.x - GUIDE, ends[1] + LOAD.x + GUIDE),
-                );
+                guide::rail(drawing, at, along, (ends[0] - half.x - GUIDE, ends[1] + half.x + GUIDE));
             }
-            guide::block(drawing, at, Vec2::new(1.0, 0.0), (-LOAD.x, LOAD.x), LOAD.y);
-            self.blocks.push((g.slider, at, Vec2::new(1.0, 0.0), LOAD));
+            guide::block(drawing, at, along, (-half.x, half.x), half.y);
+            self.blocks.push((g.slider, at, along, half));
             drawing.end();
         }
     }
 
-    /// Shafts without wheels, so that their turn is seen.
+    /// Links that are a hinge alone, so that their turn is seen.
     pub(super) fn bare_shafts(&self, drawing: &mut Drawing) {
         let mechanism = self.scene.mechanism();
-        for pair in mechanism.pairs.iter().filter(|pair| pair.bearing == Some(Bearing::Placed)) {
-            let PairKind::Revolute(pins) = &pair.kind else { continue };
-            let Some(pin) = pins.last() else { continue };
+        for (i, outline) in self.outlines().iter().enumerate().skip(1).filter(|_| self.motion.is_some()) {
+            let link = LinkId::at(i);
             let clutched = mechanism.pairs.iter().any(|pair| match &pair.kind {
-                PairKind::Transmission(t) => {
-                    t.kind == TransmissionKind::Clutch && t.links.contains(&pin.link)
-                }
+                PairKind::Transmission(t) => t.kind == TransmissionKind::Clutch && t.links.contains(&link),
                 _ => false,
             });
-            if clutched || self.motion.is_none() || mechanism.wheels.iter().any(|w| w.link == pin.link) {
+            let pin = mechanism.pairs.iter().find_map(|pair| match &pair.kind {
+                PairKind::Revolute(pins) => pins.iter().find(|pin| pin.link == link),
+                _ => None,
+            });
+            let drawn = !(outline.bars.is_empty() && outline.plates.is_empty() && outline.arms.is_empty());
+            let has_wheel = mechanism.wheels.iter().any(|wheel| wheel.link == link);
+            let Some(pin) = pin.filter(|_| !drawn && !clutched && !has_wheel) else { continue };
+            if !self.scene.is_placed(link) || self.scene.is_in_cylinder(link) {
                 continue;
             }
-            drawing.begin("link", self.link_name(pin.link));
-            let centre = self.on_paper(pin.link, pin.at);
+            drawing.begin("link", self.link_name(link));
+            let centre = self.on_paper(link, pin.at);
             drawing.mark(Style::Medium, Shape::Circle { centre, radius: SHAFT });
-            wheel::spokes(drawing, centre, SHAFT, self.angle_of(pin.link));
+            wheel::spokes(drawing, centre, SHAFT, self.angle_of(link));
             drawing.end();
         }
     }
 
-    /// The sense in which each shaft turns: on its wheel, of a carrier on the way of its planet.
-    pub(super) fn senses(&self, drawing: &mut Drawing) {
+    /// The axis of each shaft, whose bearing is in section, and the sense in which it turns: on its wheel, of a carrier on the way of its
+    /// planet.
+    pub(super) fn axes(&self, drawing: &mut Drawing) {
         let mechanism = self.scene.mechanism();
         for pair in mechanism.pairs.iter().filter(|pair| pair.bearing == Some(Bearing::Placed)) {
             let PairKind::Revolute(pins) = &pair.kind else { continue };
             let Some(link) = pins.last().map(|pin| pin.link) else { continue };
+            let at = self.on_paper(link, Vec2::zero());
+            hinge::moving(drawing, at);
             let omega = self.scene.body(link).omega;
             if omega == 0.0 || !omega.is_finite() {
                 continue;
             }
-            let at = self.on_paper(link, Vec2::zero());
             let own = mechanism.wheels.iter().filter(|wheel| wheel.link == link);
             let least = own.map(|wheel| self.frame.length(wheel.radius)).fold(f64::INFINITY, f64::min);
             let carried = mechanism.pairs.iter().find_map(|other| match &other.kind {

@@ -21,11 +21,10 @@ const SHORT: f64 = 4.0;
 
 /// The front view. Puts what has no place in section into it, which it returns: shafts of worms, sliders on ropes.
 pub fn draw(scene: &Scene<'_>, layout: &Layout, drawing: &mut Drawing) -> (Vec<Shaft>, Vec<(LinkId, Vec2)>) {
-    let mut poses = vec![scene.pose.clone()];
-    let laid = Laid::of(scene, &mut poses).filter(|laid| is_shown(scene, layout, laid));
+    let laid = Laid::at_rest(scene).filter(|laid| is_shown(scene, layout, laid));
     let Some(laid) = laid else { return Default::default() };
     let unit = layout.unit(scene.mechanism());
-    let Some(scene) = laid.scenes(scene).pop() else { return Default::default() };
+    let Some(scene) = laid.still(scene) else { return Default::default() };
     let shapes = shapes(&scene);
     let left = drawing.extent().max.x.max(0.0) + BESIDE;
     let mut alone = Drawing::default();

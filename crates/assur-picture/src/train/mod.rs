@@ -42,12 +42,11 @@ pub fn has_train(scene: &Scene<'_>) -> bool {
     (1..scene.mechanism().links.len()).any(|i| !scene.is_placed(LinkId::at(i)))
 }
 
-/// Whether a machine in motion is seen from the side: shafts without places, and axes that meet.
+/// Whether a machine in motion is seen from the side: shafts and sliders alone, and axes that meet.
 pub fn is_in_section(scene: &Scene<'_>) -> bool {
     let is_bevel = |kind: &PairKind| matches!(kind, PairKind::Transmission(t) if t.bevel.is_some());
     let mechanism = scene.mechanism();
-    mechanism.pairs.iter().any(|pair| is_bevel(&pair.kind))
-        && (1..mechanism.links.len()).all(|i| !scene.is_placed(LinkId::at(i)))
+    mechanism.pairs.iter().any(|pair| is_bevel(&pair.kind)) && crate::machine::has_shafts_alone(mechanism)
 }
 
 /// A frame of a train in section, whose wheels have marks where their teeth go by.
