@@ -2,7 +2,7 @@
 
 use crate::diagram::{Panel, printed};
 use crate::error;
-use crate::machine::Laid;
+use crate::machine::arrangement::Arrangement;
 use assur_drawing::{Drawing, Label, Style, Text};
 use assur_math::math::Vec2;
 use assur_model::model::{Bearing, Display, GenevaPair, LinkId, Load, LoadKind, Mechanism, PairId, PairKind};
@@ -32,7 +32,7 @@ pub struct Scene<'a> {
     /// Some shaft has no place.
     pub is_open: bool,
     /// What was laid out, where the file leaves places open.
-    pub laid: Option<&'a Laid>,
+    pub laid: Option<&'a Arrangement>,
     /// By how much the first drive is beyond the value of the position: whole turns.
     pub carried: f64,
 }

@@ -1,7 +1,8 @@
 //! Where shafts, sliders and ropes are that the file leaves without a place: from what has one along the transmissions.
 
+use super::arrangement::{Arrangement, Thread};
 use super::rope::{self, Around, Disc, End, Rope, Station};
-use super::{Thread, base, moved_link, range};
+use super::{base, moved_link, range};
 use crate::scene::Scene;
 use crate::symbol::thread;
 use crate::train::Layout;
@@ -23,19 +24,8 @@ const EXTENTS: f64 = 2.0;
 /// The paper for which marks of a size are placed between those of the file, mm.
 const PAPER: f64 = 100.0;
 
-/// A mechanism with all its places.
-pub struct Places {
-    pub mechanism: Mechanism,
-    pub ropes: Vec<Rope>,
-    pub threads: Vec<Thread>,
-    pub unit: f64,
-    pub to_scale: bool,
-    /// The part of its way that each link goes.
-    pub shares: Vec<f64>,
-}
-
-/// The place of all that has none, for these positions.
-pub fn placed(scene: &Scene<'_>, poses: &[Pose]) -> Places {
+/// A mechanism with all its places for these positions, and what is drawn beside it.
+pub fn placed(scene: &Scene<'_>, poses: &[Pose]) -> (Mechanism, Arrangement) {
     let mechanism = scene.mechanism().clone();
     let links = mechanism.links.len();
     let is_free = (1..links).all(|i| !scene.is_placed(LinkId::at(i)));
@@ -59,7 +49,7 @@ pub fn placed(scene: &Scene<'_>, poses: &[Pose]) -> Places {
     room.sliders();
     let ropes = room.ropes(is_free);
     let Room { mechanism, threads, unit, to_scale, shares, .. } = room;
-    Places { mechanism, ropes, threads, unit, to_scale, shares }
+    (mechanism, Arrangement { ropes, threads, unit, to_scale, shares })
 }
 
 /// A shaft that has nothing but worms and screws on it: its axis lies in the paper.

@@ -1,6 +1,7 @@
 //! A machine with all its places: what the file leaves without one, shafts, sliders, ropes, is laid out for the picture, once for every
 //! view.
 
+pub mod arrangement;
 mod frames;
 mod layout;
 mod rope;
@@ -9,35 +10,17 @@ pub use frames::{Frames, MOST, frames};
 pub use rope::{End, Rope, wound};
 
 use crate::scene::Scene;
-use assur_math::math::Vec2;
-use assur_model::model::{Bearing, LinkId, Mechanism, PairId, PairKind, TransmissionKind};
+use arrangement::Arrangement;
+use assur_model::model::{Bearing, LinkId, Mechanism, PairKind, TransmissionKind};
 use assur_position::position::BodyState;
 use assur_solve::solve::{Model, Pose};
-use layout::Places;
-
-/// A turn of a thread that is drawn across the axis of its wheel, or along the way of its nut.
-#[derive(Clone, Copy, Debug)]
-pub struct Thread {
-    /// The worm or the screw.
-    pub pair: PairId,
-    /// The middle of the thread, and half its length, m.
-    pub at: Vec2,
-    pub half: f64,
-}
 
 /// A mechanism whose shafts and sliders all have places, at some positions.
 pub struct Laid {
     mechanism: Mechanism,
     poses: Vec<Pose>,
     ways: Vec<(f64, f64)>,
-    pub ropes: Vec<Rope>,
-    pub threads: Vec<Thread>,
-    /// A millimetre of the paper for which it was laid out, m.
-    pub unit: f64,
-    /// Radii are those of the file, in one scale.
-    pub to_scale: bool,
-    /// The part of its way that each link goes: less than all where a load would leave the paper.
-    pub shares: Vec<f64>,
+    pub arrangement: Arrangement,
 }
 
 impl Laid {
@@ -53,13 +36,13 @@ impl Laid {
         if !scene.is_open && !mechanism.pairs.iter().any(|pair| runs(&pair.kind)) {
             return None;
         }
-        let Places { mechanism, ropes, threads, unit, to_scale, shares } = layout::placed(scene, poses);
+        let (mechanism, arrangement) = layout::placed(scene, poses);
         let ways = ways(scene, &mechanism, poses);
         let poses = std::mem::take(poses);
-        let mut laid = Self { mechanism, poses, ways, ropes, threads, unit, to_scale, shares };
+        let mut laid = Self { mechanism, poses, ways, arrangement };
         for pose in &mut laid.poses {
             if let Ok(solved) = &mut pose.outcome {
-                place_bodies(&laid.mechanism, &mut solved.state.motion.bodies, &laid.shares);
+                place_bodies(&laid.mechanism, &mut solved.state.motion.bodies, &laid.arrangement.shares);
             }
         }
         Some(laid)
@@ -83,7 +66,15 @@ impl Laid {
         let is_open = self.mechanism.pairs.iter().any(|pair| pair.bearing == Some(Bearing::Open));
         let of = |pose: &'l Pose| {
             let solved = pose.outcome.as_ref().ok()?;
-            Some(Scene { model, pose, solved, is_open, ways: &self.ways, laid: Some(self), ..*scene })
+            Some(Scene {
+                model,
+                pose,
+                solved,
+                is_open,
+                ways: &self.ways,
+                laid: Some(&self.arrangement),
+                ..*scene
+            })
         };
         self.poses.iter().filter_map(of).collect()
     }

@@ -1,7 +1,7 @@
 //! Teeth where wheels meet, racks, worms, screws and clutches, seen from the front.
 
 use super::{LinkId, Motion, Sketch};
-use crate::machine::Thread;
+use crate::machine::arrangement::Thread;
 use crate::scene::Scene;
 use crate::symbol::gear::{self, MODULE, TEETH, row};
 use crate::symbol::{hinge, thread, wheel};

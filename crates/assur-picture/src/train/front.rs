@@ -33,7 +33,7 @@ pub fn draw(scene: &Scene<'_>, layout: &Layout, drawing: &mut Drawing) -> (Vec<S
     let frame = Frame::of_unit(unit, origin);
     front_view(&scene, &shapes, &frame, drawing);
     let mechanism = scene.mechanism();
-    let across = laid.threads.iter().filter_map(|own| {
+    let across = laid.arrangement.threads.iter().filter_map(|own| {
         let PairKind::Transmission(t) = &mechanism.pair(own.pair).kind else { return None };
         let link = *t.links.first().filter(|link| !scene.is_placed(**link))?;
         let (at, half) = (frame.point(own.at), thread::WORM);
@@ -61,5 +61,5 @@ fn is_shown(scene: &Scene<'_>, layout: &Layout, laid: &Laid) -> bool {
     let hangs = has(|kind| matches!(kind, TransmissionKind::Rope | TransmissionKind::Worm));
     let runs = !layout.runs.is_empty() || has(|kind| kind == TransmissionKind::Rack);
     let is_flat = layout.runs.iter().all(|run| run.cones.is_none());
-    is_flat && layout.wheels.len() <= MOST && (hangs || runs && laid.to_scale)
+    is_flat && layout.wheels.len() <= MOST && (hangs || runs && laid.arrangement.to_scale)
 }
