@@ -4,15 +4,15 @@ use super::actions::{Couple, FreeBody};
 use super::polygon::split;
 use super::{Part, names};
 use crate::figures::{FORCE, MOMENT};
-use crate::inset::{flipped, freest};
+use crate::inset::flipped;
 use crate::paper::{Frame, Paper, Scaled};
 use crate::scene::Scene;
 use crate::scheme::{Freed, length_scale};
-use crate::shape::{LinkShape, Outline};
-use crate::symbol::{arrow, cylinder, guide, hinge, mass};
-use assur_drawing::{Drawing, Label, Level, Rect, Role, Segment, Shape, Style, Text};
+use crate::shape::LinkShape;
+use crate::symbol::arrow;
+use assur_drawing::{Drawing, Label, Level, Rect, Role, Shape, Style, Text};
 use assur_math::math::Vec2;
-use assur_model::model::{LinkId, PairId, PairKind, Pin};
+use assur_model::model::PairKind;
 use assur_text::diagnostic::Diagnosis;
 
 /// Lengths of arrows, mm: the least, and what the greatest force adds.
@@ -24,7 +24,6 @@ const ONE_POINT: f64 = 1e-9;
 /// What arrows and names take, mm.
 const AROUND: Vec2 = Vec2::new(50.0, 44.0);
 const LETTERS: f64 = 4.0;
-const POINT: f64 = 4.4;
 /// Arms shorter than this are not drawn, mm; the most of them.
 const ARM: f64 = 3.0;
 const ARMS: usize = 4;
@@ -40,12 +39,9 @@ pub fn draw(
     paper: &Paper,
 ) -> Result<Drawing, Diagnosis> {
     let mut bounds = Rect::NOTHING;
-    for link in &part.links {
-        all[link.index()].extent(scene, *link, &mut bounds);
-    }
+    let freed = Freed(&part.links);
+    freed.extent(scene, all, &mut bounds);
     free.forces.iter().for_each(|f| bounds.add(f.at));
-    let profiles = Freed(&part.links);
-    profiles.extent(scene, &mut bounds);
     if bounds.size().norm() <= ONE_POINT * assur_solve::solve::extent(&scene.model) {
         bounds = Rect::around(bounds.centre(), Vec2::zero());
     }
@@ -67,13 +63,7 @@ pub fn draw(
     let id = format!("{}-{}", crate::words::id(scene, "free-body"), links.replace(", ", "-"));
     let description = format!("Forces on links {links}: {}.{couples}", said.join(", "));
     let mut drawing = Drawing::new(&id, title, description);
-    let mut outlines = Vec::new();
-    for link in &part.links {
-        let body = scene.body(*link);
-        outlines.push((*link, all[link.index()].outline(&frame, &|at| body.position(at))));
-    }
-    profiles.draw(scene, all, &frame, &mut drawing);
-    bodies(scene, &mut drawing, &frame, &outlines, part);
+    freed.draw(scene, all, &frame, &mut drawing);
     vectors(&mut drawing, &frame, &arrows);
     turning(&mut drawing, &frame, free);
     arms(scene, part, free, &frame, &mut drawing);
@@ -86,114 +76,6 @@ pub fn draw(
         ));
     }
     Ok(drawing)
-}
-
-fn bodies(
-    scene: &Scene<'_>,
-    drawing: &mut Drawing,
-    frame: &Frame,
-    outlines: &[(LinkId, Outline)],
-    part: &Part,
-) {
-    blocks(scene, drawing, frame, part);
-    cylinders(scene, drawing, frame, part);
-    for (link, outline) in outlines {
-        drawing.begin("link", &scene.mechanism().link(*link).name);
-        for plate in &outline.plates {
-            drawing.mark(Style::Plate, Shape::polygon(plate.clone()));
-        }
-        for (a, b) in &outline.arms {
-            drawing.line(Style::Medium, *a, *b);
-        }
-        for (a, b) in &outline.bars {
-            drawing.line(Style::Link, *a, *b);
-        }
-        let longest = outline.bars.iter().max_by(|a, b| (a.1 - a.0).norm().total_cmp(&(b.1 - b.0).norm()));
-        if let (Some((a, b)), Some(number)) = (longest, &scene.mechanism().link(*link).number) {
-            drawing.label(Label::along(Text::upright(number), 3.7, *a, *b).ringed(2.5).ranked(3));
-        }
-        drawing.end();
-    }
-    let mut done: Vec<Vec2> = Vec::new();
-    for (name, text, pin) in pins(scene, part) {
-        let at = frame.point(scene.at(pin.link, pin.at));
-        drawing.begin("pair", name);
-        hinge::moving(drawing, at);
-        if done.iter().all(|d| (*d - at).norm() > 0.05) {
-            let lines: Vec<Vec2> = lines_at(outlines, at);
-            let label = Label::at(text, POINT, at, hinge::RADIUS).ranked(1);
-            drawing.label(freest(&lines).map_or(label.clone(), |d| label.towards(d)));
-        }
-        done.push(at);
-        drawing.end();
-    }
-    for link in &part.links {
-        let declared = scene.mechanism().link(*link);
-        if let Some(at) =
-            declared.mass.filter(|m| m.mass > 0.0).map(|m| frame.point(scene.at(*link, m.centre)))
-            && done.iter().all(|d| (*d - at).norm() > 0.4)
-        {
-            mass::centre(drawing, at);
-            let near =
-                |p: &&assur_model::model::Point| (frame.point(scene.at(*link, p.at)) - at).norm() < 0.4;
-            if let Some(point) = declared.points.iter().find(near) {
-                drawing.label(Label::at(Text::name(&point.name), POINT, at, mass::RADIUS).ranked(2));
-            }
-        }
-    }
-}
-
-/// The hinges of a part with the names of their pairs and their letters: at the end of a cylinder that of the point.
-fn pins<'a>(scene: &Scene<'a>, part: &Part) -> Vec<(&'a str, Text, &'a Pin)> {
-    let mut found = Vec::new();
-    let inside = |pin: &&Pin| part.links.contains(&pin.link);
-    for pair in &scene.mechanism().pairs {
-        match &pair.kind {
-            PairKind::Revolute(pins) => {
-                let pin = pins.iter().find(inside);
-                found.extend(pin.map(|pin| (pair.name.as_str(), Text::name(&pair.name), pin)));
-            }
-            PairKind::Cylinder { from, to, .. } => {
-                for pin in [from, to].into_iter().filter(inside) {
-                    found.push((pair.name.as_str(), Text::name(&pin.name), pin));
-                }
-            }
-            _ => {}
-        }
-    }
-    found
-}
-
-fn lines_at(outlines: &[(LinkId, Outline)], at: Vec2) -> Vec<Vec2> {
-    let bars = outlines.iter().flat_map(|(_, o)| o.bars.iter());
-    let near = bars.filter(|(a, b)| Segment { a: *a, b: *b }.distance(at) < 0.3);
-    near.flat_map(|(a, b)| [*a - at, *b - at]).filter(|d| d.norm() > 1.0).collect()
-}
-
-fn blocks(scene: &Scene<'_>, drawing: &mut Drawing, frame: &Frame, part: &Part) {
-    for pair in &scene.mechanism().pairs {
-        let PairKind::Prismatic(g) = &pair.kind else { continue };
-        let is_wedge = |link: LinkId| crate::wedge::corners(scene, link).is_some();
-        if part.links.contains(&g.slider) && !is_wedge(g.slider) {
-            let along = flipped(g.along.turned(scene.body(g.guide).u));
-            let at = frame.point(scene.at(g.slider, g.point));
-            let half = if g.guide == LinkId::GROUND { guide::BLOCK } else { guide::SLEEVE };
-            guide::block(drawing, at, along, (-half.x, half.x), half.y);
-        }
-    }
-}
-
-/// Cylinders between links of the part.
-fn cylinders(scene: &Scene<'_>, drawing: &mut Drawing, frame: &Frame, part: &Part) {
-    for (i, pair) in scene.mechanism().pairs.iter().enumerate() {
-        let PairKind::Cylinder { from, to, .. } = &pair.kind else { continue };
-        if [from, to].iter().all(|pin| part.links.contains(&pin.link)) {
-            let [a, b] = [from, to].map(|pin| frame.point(scene.at(pin.link, pin.at)));
-            drawing.begin("pair", &pair.name);
-            cylinder::cylinder(drawing, a, b, frame.length(scene.way(PairId::at(i)).0));
-            drawing.end();
-        }
-    }
 }
 
 /// A force with its name and its place; whether its arrow ends there.

@@ -7,12 +7,12 @@ use crate::figures::{FORCE, MOMENT, plain};
 use crate::inset::{Inset, flipped, freest, wrapped};
 use crate::paper::{Frame, Paper, Scaled};
 use crate::scene::Scene;
-use crate::scheme::{Freed, efforts, length_scale, walls};
+use crate::scheme::{Freed, efforts, length_scale};
 use crate::shape::{Outline, shapes};
-use crate::symbol::{arrow, guide, hinge, mass};
+use crate::symbol::{arrow, hinge, mass};
 use assur_drawing::{Drawing, Label, Level, Rect, Role, Segment, Shape, Style, Text, on_circle};
 use assur_math::math::Vec2;
-use assur_model::model::{LinkId, PairId, PairKind};
+use assur_model::model::{LinkId, PairId, PairKind, Pin};
 use assur_solve::solve::PairFriction;
 use assur_text::diagnostic::Diagnosis;
 use std::f64::consts::TAU;
@@ -66,22 +66,19 @@ pub fn friction(scene: &Scene<'_>, paper: &Paper) -> Result<Drawing, Diagnosis> 
         .map(LinkId::at)
         .filter(|link| scene.is_placed(*link) && !scene.is_in_cylinder(*link))
         .collect();
-    let profiles = Freed(&links);
+    let freed = Freed(&links);
     let mut bounds = Rect::NOTHING;
-    links.iter().for_each(|link| all[link.index()].extent(scene, *link, &mut bounds));
-    profiles.extent(scene, &mut bounds);
+    freed.extent(scene, &all, &mut bounds);
     let frame = paper.frame(Scaled::Length, &bounds, AROUND)?;
-    let wedges = links.iter().copied().filter(|link| all[link.index()].is_wedge()).collect();
-    let mut drawing = empty(scene, &frictions);
-    walls(scene, &all, &frame, &mut drawing);
-    let mut picture = Picture { scene, frame, drawing, outlines: Vec::new(), wedges, taken: Vec::new() };
+    let drawing = empty(scene, &frictions);
+    let mut picture = Picture { scene, frame, drawing, outlines: Vec::new(), taken: Vec::new() };
     for &link in &links {
         let body = scene.body(link);
         let outline = all[link.index()].outline(&picture.frame, &|at| body.position(at));
         picture.outlines.push((link, outline));
     }
-    profiles.draw(scene, &all, &picture.frame, &mut picture.drawing);
-    picture.links();
+    freed.on_guides(scene, &all, &picture.frame, &mut picture.drawing);
+    picture.hinges();
     for friction in &frictions {
         if friction.turns { picture.journal(friction) } else { picture.guide(friction) }
     }
@@ -116,49 +113,17 @@ struct Picture<'a, 's> {
     frame: Frame,
     drawing: Drawing,
     outlines: Vec<(LinkId, Outline)>,
-    wedges: Vec<LinkId>,
     /// Where arrows begin, and arcs with their radii.
     taken: Vec<(Vec2, Vec2)>,
 }
 
 impl Picture<'_, '_> {
-    fn links(&mut self) {
-        let mechanism = self.scene.mechanism();
-        for pair in &mechanism.pairs {
-            if let PairKind::Prismatic(g) = &pair.kind
-                && self.scene.is_placed(g.slider)
-                && self.scene.is_placed(g.guide)
-                && ![g.slider, g.guide].iter().any(|link| self.wedges.contains(link))
-            {
-                let along = flipped(g.along.turned(self.scene.body(g.guide).u));
-                let at = self.frame.point(self.scene.at(g.slider, g.point));
-                guide::block(&mut self.drawing, at, along, (-guide::BLOCK.x, guide::BLOCK.x), guide::BLOCK.y);
-                if g.guide == LinkId::GROUND {
-                    guide::rail(&mut self.drawing, at, along, (-15.0, 15.0));
-                }
-            }
-        }
-        for (link, outline) in &self.outlines {
-            self.drawing.begin("link", &mechanism.link(*link).name);
-            for plate in &outline.plates {
-                self.drawing.mark(Style::Plate, Shape::polygon(plate.clone()));
-            }
-            outline.arms.iter().for_each(|(a, b)| self.drawing.line(Style::Medium, *a, *b));
-            outline.bars.iter().for_each(|(a, b)| self.drawing.line(Style::Link, *a, *b));
-            let longest =
-                outline.bars.iter().max_by(|a, b| (a.1 - a.0).norm().total_cmp(&(b.1 - b.0).norm()));
-            if let (Some((a, b)), Some(number)) = (longest, &mechanism.link(*link).number) {
-                let label = Label::along(Text::upright(number), 3.7, *a, *b).ringed(2.5).ranked(3);
-                self.drawing.label(label);
-            }
-            self.drawing.end();
-        }
-        for pair in &mechanism.pairs {
+    /// Names of hinges, whose circles are those of friction.
+    fn hinges(&mut self) {
+        for pair in &self.scene.mechanism().pairs {
             let PairKind::Revolute(pins) = &pair.kind else { continue };
-            let Some(pin) = pins.iter().find(|p| p.link != LinkId::GROUND && self.scene.is_placed(p.link))
-            else {
-                continue;
-            };
+            let own = |p: &&Pin| p.link != LinkId::GROUND && self.scene.is_placed(p.link);
+            let Some(pin) = pins.iter().find(own) else { continue };
             let at = self.frame.point(self.scene.at(pin.link, pin.at));
             if pins.iter().any(|p| p.link == LinkId::GROUND) {
                 hinge::support(&mut self.drawing, at);

@@ -73,7 +73,7 @@ impl Sketch<'_, '_> {
         let is_joint = |at: Vec2| any_near(&pins, at, SAME);
         for (i, link) in scene.mechanism().links.iter().enumerate().skip(1) {
             let id = LinkId::at(i);
-            if !scene.is_placed(id) || scene.is_in_cylinder(id) {
+            if !scene.is_placed(id) || scene.is_in_cylinder(id) || !self.shows(id) {
                 continue;
             }
             let body = |at: Vec2| self.frame.point(scene.at(id, at));
@@ -133,7 +133,9 @@ impl Sketch<'_, '_> {
     pub(super) fn numbers(&self, drawing: &mut Drawing) {
         for (i, link) in self.scene.mechanism().links.iter().enumerate().skip(1) {
             let id = LinkId::at(i);
-            if !self.scene.is_placed(id) {
+            // of links alone the forces need the room
+            let named = self.only.is_none() || link.number.is_some();
+            if !self.scene.is_placed(id) || !self.shows(id) || !named {
                 continue;
             }
             drawing.begin("link", &link.name);

@@ -4,6 +4,7 @@ mod axial;
 mod curvature;
 mod dimension;
 mod effort;
+mod freed;
 mod geneva;
 mod hidden;
 mod label;
@@ -22,8 +23,8 @@ mod weld;
 pub use axial::axial;
 pub use curvature::curvature;
 pub use dimension::{Dimension, Measured};
+pub use freed::Freed;
 use mesh::crossed;
-pub use profile::Freed;
 pub use true_size::true_size;
 pub use ways::{Traced, asked};
 
@@ -182,11 +183,6 @@ pub fn described(scene: &Scene<'_>, wanted: &Scheme, mut drawing: Drawing) -> Dr
     drawing
 }
 
-/// The lines of the ground along which wedges slide.
-pub fn walls(scene: &Scene<'_>, shapes: &[LinkShape], frame: &Frame, drawing: &mut Drawing) {
-    Sketch::new(scene, shapes, frame).walls(drawing);
-}
-
 /// Loads and unknown efforts alone, beside what begins at places in directions already.
 pub fn efforts(scene: &Scene<'_>, frame: &Frame, taken: Vec<(Vec2, Vec2)>, drawing: &mut Drawing) {
     let shapes = shapes(scene);
@@ -307,6 +303,8 @@ struct Sketch<'a, 's> {
     scene: &'s Scene<'a>,
     shapes: &'s [LinkShape],
     frame: &'s Frame,
+    /// The links that are drawn; all where there are none.
+    only: Option<&'s [LinkId]>,
     motion: Option<Motion<'s, 'a>>,
     /// Lines of the links on paper, when they are asked for; none for those that have their own symbol.
     outlines: OnceCell<Vec<Outline>>,
@@ -340,6 +338,7 @@ impl<'a, 's> Sketch<'a, 's> {
             scene,
             shapes,
             frame,
+            only: None,
             motion: None,
             outlines: OnceCell::new(),
             lines: OnceCell::new(),
@@ -393,7 +392,8 @@ impl<'a, 's> Sketch<'a, 's> {
         self.outlines.get_or_init(|| {
             let outline = |(i, shape): (usize, &LinkShape)| {
                 let link = LinkId::at(i);
-                if link == LinkId::GROUND || !self.scene.is_placed(link) || self.scene.is_in_cylinder(link) {
+                let hidden = !self.scene.is_placed(link) || self.scene.is_in_cylinder(link);
+                if link == LinkId::GROUND || hidden || !self.shows(link) {
                     return Outline::default();
                 }
                 let body = self.scene.body(link);

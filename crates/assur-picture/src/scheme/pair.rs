@@ -6,7 +6,7 @@ use crate::shape::{Form, SLOT_END, form};
 use crate::symbol::{cylinder, guide, hinge, spring};
 use assur_drawing::{Drawing, Label, Rect, Segment, Shape, Style, Text};
 use assur_math::math::Vec2;
-use assur_model::model::{Guide, PairId, PairKind, Spring, TransmissionKind};
+use assur_model::model::{Guide, PairId, PairKind, Pin, Spring, TransmissionKind};
 
 /// How far a rail goes beyond all places of its block, mm.
 const BEYOND: f64 = 9.0;
@@ -143,11 +143,15 @@ impl<'a> Sketch<'a, '_> {
     pub(super) fn draw_blocks(&mut self, drawing: &mut Drawing) {
         let guides: Vec<_> = self.guides().collect();
         for (id, name, g, form) in guides {
+            let owner = if form == Form::Sleeve { g.guide } else { g.slider };
+            if !self.shows(owner) {
+                continue;
+            }
             drawing.begin("pair", name);
             let along = self.direction(g.guide, g.along);
             let slider = self.on_paper(g.slider, g.point);
             match form {
-                Form::Rail if self.follower(g).is_some() => self.rod(drawing, id, g),
+                Form::Rail if self.only.is_none() && self.follower(g).is_some() => self.rod(drawing, id, g),
                 Form::Rail => {
                     let ends = self.along_block(g, along);
                     guide::block(drawing, slider, along, ends, guide::BLOCK.y);
@@ -242,8 +246,14 @@ impl<'a> Sketch<'a, '_> {
             let at = self.on_paper(g.guide, g.through);
             let along = self.direction(g.guide, g.along);
             let ends = (self.frame.length(least) - SLOT_END, self.frame.length(greatest) + SLOT_END);
-            guide::slot(drawing, at, along, ends, g.guide == LinkId::GROUND);
+            if self.shows(g.guide) {
+                guide::slot(drawing, at, along, ends, g.guide == LinkId::GROUND);
+            }
             let pin = self.on_paper(g.slider, g.point);
+            if !self.shows(g.slider) {
+                drawing.end();
+                continue;
+            }
             drawing.mark(Style::Hinge, Shape::Circle { centre: pin, radius: hinge::PIN });
             self.guide_name(drawing, PairId::at(i), pin, along);
             drawing.end();
@@ -253,6 +263,9 @@ impl<'a> Sketch<'a, '_> {
     pub(super) fn cylinders(&mut self, drawing: &mut Drawing) {
         for (i, pair) in self.scene.mechanism().pairs.iter().enumerate() {
             let PairKind::Cylinder { from, to, .. } = &pair.kind else { continue };
+            if ![from, to].iter().all(|pin| self.shows(pin.link)) {
+                continue;
+            }
             drawing.begin("pair", &pair.name);
             let ends = [from, to].map(|pin| self.on_paper(pin.link, pin.at));
             let least = self.frame.length(self.scene.way(PairId::at(i)).0);
@@ -272,6 +285,9 @@ impl<'a> Sketch<'a, '_> {
 
     pub(super) fn springs(&mut self, drawing: &mut Drawing) {
         for item in &self.scene.mechanism().springs {
+            if !self.shows(item.from.0) || !self.shows(item.to.0) {
+                continue;
+            }
             let ends = [item.from, item.to].map(|(link, at)| self.on_paper(link, at));
             let aside = self.aside(item);
             let [a, b] = ends.map(|end| end + aside);
@@ -325,15 +341,14 @@ impl<'a> Sketch<'a, '_> {
         let scene = self.scene;
         for pair in &scene.mechanism().pairs {
             let PairKind::Revolute(pins) = &pair.kind else { continue };
-            let Some(pin) = pins.iter().find(|p| p.link != LinkId::GROUND && scene.is_placed(p.link)) else {
-                continue;
-            };
+            let own = |p: &&Pin| p.link != LinkId::GROUND && scene.is_placed(p.link) && self.shows(p.link);
+            let Some(pin) = pins.iter().find(own) else { continue };
             if pins.iter().any(|p| !scene.is_placed(p.link)) {
                 continue;
             }
             drawing.begin("pair", &pair.name);
             let at = self.on_paper(pin.link, pin.at);
-            let fixed = pins.iter().any(|p| p.link == LinkId::GROUND);
+            let fixed = self.only.is_none() && pins.iter().any(|p| p.link == LinkId::GROUND);
             if fixed {
                 hinge::support(drawing, at);
                 self.supports.push(at);

@@ -1,9 +1,7 @@
 //! Profiles that touch: circles, lines, points, designed cams; wheels seen from the front.
 
-use super::{Sketch, geneva, mass_shape};
-use crate::paper::Frame;
+use super::{Sketch, mass_shape};
 use crate::scene::Scene;
-use crate::shape::LinkShape;
 use crate::symbol::wheel::spokes;
 use crate::symbol::{gear, hinge, mass};
 use assur_drawing::{Drawing, Label, Rect, Shape, Style, Text};
@@ -33,7 +31,7 @@ pub fn extent(scene: &Scene<'_>, bounds: &mut Rect) {
 }
 
 /// What the wheels of some links take, m.
-fn wheels_extent(scene: &Scene<'_>, wanted: impl Fn(LinkId) -> bool, bounds: &mut Rect) {
+pub(super) fn wheels_extent(scene: &Scene<'_>, wanted: impl Fn(LinkId) -> bool, bounds: &mut Rect) {
     for wheel in front(scene).filter(|wheel| wanted(wheel.link)) {
         if let Some(centre) = wheel.centre {
             round(bounds, scene.at(wheel.link, centre), wheel.radius);
@@ -47,7 +45,7 @@ pub(super) fn round(bounds: &mut Rect, centre: Vec2, radius: f64) {
 }
 
 /// What the profiles of some links take, m.
-fn extent_of(scene: &Scene<'_>, wanted: impl Fn(LinkId) -> bool, bounds: &mut Rect) {
+pub(super) fn extent_of(scene: &Scene<'_>, wanted: impl Fn(LinkId) -> bool, bounds: &mut Rect) {
     for pair in &scene.mechanism().pairs {
         let PairKind::Contact { first, second, .. } = &pair.kind else { continue };
         for profile in [first, second].into_iter().filter(|profile| wanted(profile.link)) {
@@ -62,43 +60,6 @@ fn extent_of(scene: &Scene<'_>, wanted: impl Fn(LinkId) -> bool, bounds: &mut Re
                     round(bounds, centre, greatest.fold(0.0, f64::max));
                 }
                 ProfileShape::Point(_) | ProfileShape::Line(..) => {}
-            }
-        }
-    }
-}
-
-/// The profiles and wheels by which some links touch others, and what they take, m: of links that are drawn alone.
-pub struct Freed<'l>(pub &'l [LinkId]);
-
-impl Freed<'_> {
-    /// What they take, m.
-    pub fn extent(&self, scene: &Scene<'_>, bounds: &mut Rect) {
-        extent_of(scene, |link| self.0.contains(&link), bounds);
-        wheels_extent(scene, |link| self.0.contains(&link), bounds);
-        geneva::extent(scene, |link| self.0.contains(&link), bounds);
-    }
-
-    pub fn draw(&self, scene: &Scene<'_>, shapes: &[LinkShape], frame: &Frame, drawing: &mut Drawing) {
-        let sketch = Sketch::new(scene, shapes, frame);
-        sketch.genevas(|link| self.0.contains(&link), drawing);
-        sketch.wheels(|link| self.0.contains(&link), drawing);
-        sketch.meshing(|link| self.0.contains(&link), drawing);
-        for (i, pair) in scene.mechanism().pairs.iter().enumerate() {
-            let PairKind::Contact { first, second, .. } = &pair.kind else { continue };
-            for profile in [first, second].into_iter().filter(|profile| self.0.contains(&profile.link)) {
-                drawing.begin("profile", &profile.name);
-                match profile.shape {
-                    ProfileShape::Circle(centre, radius) => {
-                        let centre = sketch.on_paper(profile.link, centre);
-                        drawing.mark(Style::Medium, Shape::Circle { centre, radius: frame.length(radius) });
-                    }
-                    ProfileShape::Line(at, along) => sketch.face(drawing, PairId::at(i), profile, at, along),
-                    ProfileShape::Rim(contact) => {
-                        sketch.rim(drawing, contact);
-                    }
-                    ProfileShape::Point(_) => {}
-                }
-                drawing.end();
             }
         }
     }
@@ -136,7 +97,7 @@ impl Sketch<'_, '_> {
     pub(super) fn profiles(&self, drawing: &mut Drawing) {
         for (i, pair) in self.scene.mechanism().pairs.iter().enumerate() {
             let PairKind::Contact { first, second, .. } = &pair.kind else { continue };
-            for profile in [first, second] {
+            for profile in [first, second].into_iter().filter(|profile| self.shows(profile.link)) {
                 drawing.begin("profile", &profile.name);
                 match profile.shape {
                     ProfileShape::Circle(centre, radius) if !self.is_roller(profile, centre) => {
@@ -179,7 +140,7 @@ impl Sketch<'_, '_> {
             let PairKind::Contact { first, second, .. } = &pair.kind else { continue };
             for profile in [first, second] {
                 let ProfileShape::Circle(at, radius) = profile.shape else { continue };
-                if !self.is_roller(profile, at) {
+                if !self.is_roller(profile, at) || !self.shows(profile.link) {
                     continue;
                 }
                 drawing.begin("profile", &profile.name);
@@ -188,7 +149,7 @@ impl Sketch<'_, '_> {
                 hinge::moving(drawing, centre);
                 drawing.end();
             }
-            if let Some((at, _)) = self.scene.view().contact_normal(self.id(pair)) {
+            if let (None, Some((at, _))) = (self.only, self.scene.view().contact_normal(self.id(pair))) {
                 drawing.begin("pair", &pair.name);
                 mass::point(drawing, self.frame.point(at));
                 drawing.end();
