@@ -132,8 +132,10 @@ impl Moved {
         order.sort_by_key(|i| !bodies[*i].as_ref().is_some_and(|body| body.turns));
         let mut marks = vec![None; first.marks.len()];
         for i in order {
-            // the arc of a drive shows its sense and stays
+            // the arc of a drive shows its sense and stays with its pivot
             if shows_turn(first, first.marks[i].group) {
+                let pivot = pivot(first, &found, first.marks[i].group).filter(Body::moves);
+                marks[i] = pivot.map(|body| moved.with(&body));
                 continue;
             }
             marks[i] = match &bodies[i] {
@@ -146,14 +148,18 @@ impl Moved {
                 }
             };
         }
-        let found: Vec<Vec<Option<Vec2>>> = frames.iter().map(|frame| anchors(first, frame)).collect();
+        let places: Vec<Vec<Option<Vec2>>> = frames.iter().map(|frame| anchors(first, frame)).collect();
         let labels = first.labels.iter().enumerate().map(|(i, label)| {
             if shows_turn(first, label.group) {
-                return None;
+                let mut body = pivot(first, &found, label.group).filter(Body::moves)?;
+                let beside = anchor(label) - body.centre;
+                body.centre += beside;
+                body.poses.iter_mut().for_each(|pose| pose.0 += beside);
+                return Some(moved.shift_of(body));
             }
             // what has no name in a frame stays where it was
             let mut last = anchor(label);
-            let poses = found.iter().map(|anchors| {
+            let poses = places.iter().map(|anchors| {
                 last = anchors[i].unwrap_or(last);
                 (last, 0.0)
             });
@@ -210,6 +216,22 @@ pub fn later(first: &Drawing, frame: &Drawing) -> Later {
     let moved = frame.marks.iter().filter(|m| !shows_turn(frame, m.group));
     let stay = first.marks.iter().filter(|m| shows_turn(first, m.group));
     Later { marks: moved.chain(stay).cloned().collect(), shifts: shifts.collect() }
+}
+
+/// How the pivot moves about which the arc arrow of a group turns.
+fn pivot(first: &Drawing, frames: &[Vec<Option<&Mark>>], group: usize) -> Option<Body> {
+    let centre = |mark: &Mark| match mark.shape {
+        Shape::ArcArrow { centre, .. } => Some(centre),
+        _ => None,
+    };
+    let index = first.marks.iter().position(|mark| mark.group == group && centre(mark).is_some())?;
+    let mut last = centre(&first.marks[index])?;
+    let poses = frames.iter().map(|marks| {
+        last = marks[index].and_then(centre).unwrap_or(last);
+        (last, 0.0)
+    });
+    let poses = poses.collect();
+    Some(Body { centre: centre(&first.marks[index])?, turns: false, directed: false, poses })
 }
 
 /// Whether a group is the arc arrow of a drive.

@@ -162,13 +162,23 @@ impl Sketch<'_, '_> {
         PairId::at(pairs.iter().position(|p| std::ptr::eq(p, pair)).unwrap_or(0))
     }
 
-    /// A flat face around its contact, joined to the rest of its link.
+    /// A flat face around its contact, in a motion around all places of that, joined to the rest of its link.
     fn face(&self, drawing: &mut Drawing, pair: PairId, profile: &Profile, at: Vec2, along: Vec2) {
         let on_paper = |p: Vec2| self.on_paper(profile.link, p);
         let start = on_paper(at);
         let along_paper = self.direction(profile.link, along);
-        let touch = self.scene.view().contact_normal(pair).map_or(start, |(p, _)| self.frame.point(p));
-        let (mut from, mut to) = ((touch - start).dot(along_paper), (touch - start).dot(along_paper));
+        let touch = |scene: &Scene<'_>| {
+            let (place, _) = scene.view().contact_normal(pair)?;
+            let body = scene.body(profile.link);
+            Some(self.frame.length((place - body.position(at)).dot(along.turned(body.u))))
+        };
+        let frames = self.motion.map_or(std::slice::from_ref(self.scene), |motion| motion.frames);
+        let reach = frames.iter().filter_map(touch);
+        let (mut from, mut to) =
+            reach.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), s| (a.min(s), b.max(s)));
+        if from > to {
+            (from, to) = (0.0, 0.0);
+        }
         let joints = self.shapes[profile.link.index()].joints.iter().map(|j| on_paper(*j));
         let mut feet = Vec::new();
         for joint in joints {
