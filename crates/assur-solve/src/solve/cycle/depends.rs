@@ -4,7 +4,7 @@ use crate::answer::{every_expr, every_query};
 use crate::model::{About, Expr, Mechanism, PairKind, Query};
 
 /// Calls `visit` on all parts of an expression, and of the quantities and the loads that it names.
-fn every_part(mechanism: &Mechanism, expr: &Expr, visit: &mut impl FnMut(&Expr)) {
+pub(super) fn every_part(mechanism: &Mechanism, expr: &Expr, visit: &mut impl FnMut(&Expr)) {
     let mut quantities = vec![false; mechanism.quantities.len()];
     let mut loads = vec![false; mechanism.loads.len()];
     let mut waiting = vec![expr];

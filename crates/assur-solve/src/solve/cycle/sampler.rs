@@ -10,7 +10,7 @@ use super::depends::{
 };
 use super::interval::Interval;
 use super::switches::Switch;
-use crate::answer::{LeftCurve, Measured, PoseAnswers, Sizes, Undefined, WholeCycle, balanced};
+use crate::answer::{LeftCurve, Measured, PoseAnswers, Sizes, Undefined, WholeCycle, balanced, is_zero};
 use crate::model::{Expr, Harmonic, LoadId, Value};
 use crate::plan::{Level, Settings};
 use crate::position::{BodyState, Branch, DEAD, DriveValue, Model, State, extent};
@@ -24,6 +24,16 @@ struct Anchor {
     branches: Vec<Branch>,
     bodies: Vec<BodyState>,
     angles: Vec<f64>,
+}
+
+impl Anchor {
+    fn of(tracker: &Tracker) -> Self {
+        Self {
+            branches: tracker.state.branches.clone(),
+            bodies: tracker.state.motion.bodies.clone(),
+            angles: tracker.angles.clone(),
+        }
+    }
 }
 
 /// How much is computed at a place.
@@ -70,6 +80,8 @@ pub(super) struct Sampler<'a> {
     pub rounding: f64,
     rates: Rates,
     anchors: Vec<Anchor>,
+    /// At the last place that closed, where the sweep does not up to its end.
+    stuck: Option<Tracker>,
     /// Intervals between the anchors of the whole sweep.
     intervals: f64,
     /// Memory for the drives.
@@ -115,12 +127,7 @@ impl<'a> Sampler<'a> {
         let state = assemble(model, state)?;
         let mut tracker = Tracker::new(model, state.clone(), &interval.from);
         let count = StepLimit::of(model).steps(&interval.from, &interval.to).max(FEWEST);
-        let anchor = |tracker: &Tracker| Anchor {
-            branches: tracker.state.branches.clone(),
-            bodies: tracker.state.motion.bodies.clone(),
-            angles: tracker.angles.clone(),
-        };
-        let mut anchors = vec![anchor(&tracker)];
+        let mut anchors = vec![Anchor::of(&tracker)];
         let mut values = interval.from.clone();
         let mut open = None;
         let mut done = 0.0;
@@ -132,7 +139,7 @@ impl<'a> Sampler<'a> {
                 open = Some(done / count);
                 break;
             }
-            anchors.push(anchor(&tracker));
+            anchors.push(Anchor::of(&tracker));
         }
         Ok(Self {
             model: *model,
@@ -143,7 +150,8 @@ impl<'a> Sampler<'a> {
             anchors,
             intervals: count,
             values,
-            angles: tracker.angles,
+            angles: tracker.angles.clone(),
+            stuck: open.map(|_| tracker),
             state,
             evaluated: Vec::new(),
             quantities: Vec::new(),
@@ -163,6 +171,34 @@ impl<'a> Sampler<'a> {
             term: None,
             left: None,
         })
+    }
+
+    /// Goes on over places where the mechanism does not close, as the positions of the sweep do; whether there are none.
+    pub(super) fn go_on(&mut self, model: &Model<'a>) -> bool {
+        let Some(mut tracker) = self.stuck.take() else { return true };
+        self.open = None;
+        let mut gap = 0;
+        #[allow(clippy::cast_precision_loss)] // up to 20,000
+        while self.anchors.len() as f64 <= self.intervals {
+            let values: Vec<DriveValue> =
+                self.interval.values(self.anchors.len() as f64 / self.intervals).collect();
+            let closes = gap == 0 && tracker.advance_to(model, &self.rates, &values).is_ok();
+            if closes {
+                self.anchors.push(Anchor::of(&tracker));
+            } else if tracker.jump(model, &self.rates, &values).is_ok() {
+                // places before it are nearer to it than to where the gap began
+                if gap > 0 {
+                    self.anchors.pop();
+                    self.anchors.push(Anchor::of(&tracker));
+                }
+                self.anchors.push(Anchor::of(&tracker));
+                gap = 0;
+            } else {
+                self.anchors.push(Anchor::of(&tracker));
+                gap += 1;
+            }
+        }
+        false
     }
 
     /// Whether the bodies stand at the sweep's end as at its beginning.
@@ -231,13 +267,7 @@ impl<'a> Sampler<'a> {
 
     /// The value of a number at a place of the sweep, with its size.
     pub(super) fn sample(&mut self, statics: &WholeCycle, s: f64, expr: &Expr) -> Result<Sample, Undefined> {
-        let found = match self.shared.iter().position(|e| e == expr) {
-            Some(which) => self.together(statics, s, which)?,
-            None => {
-                let need = self.need_of(expr);
-                self.measured(statics, s, expr, need)?
-            }
-        };
+        let found = self.found(statics, s, expr)?;
         match found.value {
             Value::Scalar(value) if value.is_finite() && !found.size.is_nan() => {
                 let weight = self.term.map_or(1.0, |term| term.weight(self.interval.value(s)));
@@ -252,6 +282,26 @@ impl<'a> Sampler<'a> {
             self.left = view.left_curve(expr).or_else(|| view.left_by_loads());
         }
         Err(Undefined::At(self.interval.place(s)))
+    }
+
+    fn found(&mut self, statics: &WholeCycle, s: f64, expr: &Expr) -> Result<Measured, Undefined> {
+        match self.shared.iter().position(|e| e == expr) {
+            Some(which) => self.together(statics, s, which),
+            None => {
+                let need = self.need_of(expr);
+                self.measured(statics, s, expr, need)
+            }
+        }
+    }
+
+    /// A number at a place of the sweep: 0 where it is rounding, infinite at a pole, not a number where it has no value.
+    pub(super) fn number(&mut self, statics: &WholeCycle, s: f64, expr: &Expr) -> f64 {
+        match self.found(statics, s, expr) {
+            Ok(Measured { value: Value::Scalar(x), size }) if !(x.is_finite() && size.is_nan()) => {
+                if is_zero(x, size) || x.abs() <= self.rounding { 0.0 } else { x }
+            }
+            _ => f64::NAN,
+        }
     }
 
     /// One of the shared numbers: all are computed at a place that is new.
