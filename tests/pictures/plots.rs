@@ -2,6 +2,7 @@
 //! of the answers. A curve is read back from its lines and the ticks of its axes.
 
 use crate::drawn::{Shown, solved};
+use crate::every_example::examples;
 use crate::support::random::Random;
 use assur::internals::drawing::{Anchor, Drawing, Shape, Style};
 use assur::internals::math::Vec2;
@@ -276,4 +277,41 @@ fn curves_are_the_quantity_between_the_positions() {
     println!("{}", rows.join("\n"));
     assert!(rows.len() >= 100, "{} numbers", rows.len());
     assert!(wrong.is_empty(), "{} of {}\n{}", wrong.len(), rows.len(), wrong.join("\n"));
+}
+
+/// What the positions of a sweep have are dots: they lie on the curves, in every example.
+#[test]
+fn positions_lie_on_the_curves_of_every_example() {
+    let (mut wrong, mut count) = (Vec::new(), 0);
+    // a guide at rest has no friction at one position: its curve has what it is beside that
+    let at_rest = "hard/zero-velocity.mech";
+    for (name, text) in examples().into_iter().filter(|example| example.0 != at_rest) {
+        let Some((source, solved)) = solved(&name, &text) else { continue };
+        let Ok(scene) = Scene::of(solved.compiled.model(), &solved.solution, (&name, &text), None) else {
+            continue;
+        };
+        for i in 0..solved.compiled.mechanism.finds.len() {
+            let options = Options { plotted: vec![i], ..Options::default() };
+            let Ok(drawn) = draw(Kind::Plot, &scene, &options) else { continue };
+            let dots: Vec<Vec2> = (drawn[0].marks.iter())
+                .filter_map(|mark| match mark.shape {
+                    Shape::Circle { centre, .. } if mark.style == Style::Hinge => Some(centre),
+                    _ => None,
+                })
+                .collect();
+            let lines: Vec<Vec<Vec2>> = (drawn[0].marks.iter())
+                .filter_map(|mark| match &mark.shape {
+                    Shape::Lines { points, .. } => Some(points.clone()),
+                    _ => None,
+                })
+                .collect();
+            count += dots.len();
+            let far = apart(&dots, &lines);
+            if far.0 > APART && !lines.is_empty() {
+                wrong.push(format!("{}: item {i}: a position is {far:?} from the curve", source.name));
+            }
+        }
+    }
+    assert!(count > 1000, "{count} positions");
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }

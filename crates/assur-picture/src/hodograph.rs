@@ -359,12 +359,19 @@ fn between(course: &[(f64, Vec2)], printed: impl Fn(f64) -> f64, at: f64) -> Opt
     })
 }
 
-/// Vectors at poses, evenly over the sweep, with the names of the poses.
+/// Vectors at poses, evenly over the sweep, with the names of the poses, or with the instants.
 fn by_poses(scene: &Scene<'_>, query: &Query) -> Vec<Ray> {
     let all: Vec<&Pose> = poses(scene).collect();
     let step = all.len().div_ceil(MOST).max(1);
-    let shown = all.iter().step_by(step);
-    shown.filter_map(|pose| Some(Ray { at: at(scene, pose, query)?, words: pose.name.clone() })).collect()
+    let ray = |pose: &&Pose| {
+        let solved = pose.outcome.as_ref().ok()?;
+        let words = match scene.mechanism().simulation {
+            Some(_) => scene.place_text(&drive_axis(scene), solved.state.motion.time),
+            None => pose.name.clone(),
+        };
+        Some(Ray { at: at(scene, pose, query)?, words })
+    };
+    all.into_iter().step_by(step).filter_map(|pose| ray(&pose)).collect()
 }
 
 /// Light vectors; the longest with the letter.

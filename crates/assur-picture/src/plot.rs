@@ -28,6 +28,8 @@ const STEPS: [f64; 3] = [8.0, 6.0, 4.0];
 /// Sample of a curve before its name, mm, and from name to name.
 const SAMPLE: f64 = 11.0;
 const APART: f64 = 6.0;
+/// What curves that are cut go beyond their panel, as a part of it: rounding takes none off its edge.
+const EDGE: f64 = 1e-4;
 /// Radius of a dot at a position, and how near to one another there are none, mm.
 const DOT: f64 = 0.6;
 const DOTS: f64 = 2.5;
@@ -274,7 +276,8 @@ fn panels(
             drawing.begin("curve", &curve.item.plain);
             let lines: Vec<Line> =
                 curve.lines.iter().map(|line| scaled(line, &along, group.display)).collect();
-            panel.curve(drawing, style, &clipped(&lines, (y.from, y.to)));
+            let edge = EDGE * (y.to - y.from);
+            panel.curve(drawing, style, &clipped(&lines, (y.from - edge, y.to + edge)));
             dots(drawing, &panel, scaled(&curve.dots, &along, group.display), lines.is_empty());
             // what is rounding beside the others has no extremes
             let (low, high) = curve.range();
@@ -291,20 +294,32 @@ fn panels(
 
 /// Uprights where a curve has no bound, and marks where the axis is cut for them.
 fn poles(drawing: &mut Drawing, panel: &Panel, group: &Group<'_>, along: &Display) {
-    drawing.begin("poles", "");
-    for curve in &group.curves {
-        for (at, signs) in curve.course.poles() {
+    let all = group.curves.iter().flat_map(|curve| curve.course.poles());
+    let mut all: Vec<(f64, [bool; 2])> = all
+        .map(|(at, signs)| {
             let x = panel.at(printed(along, at), panel.y.to).x;
-            let top = Vec2::new(x, panel.top);
-            drawing.line(Style::Dashed, Vec2::new(x, panel.bottom()), top);
-            let goes = match (signs.contains(&1.0), signs.contains(&-1.0)) {
-                (true, true) => "→ ±∞",
-                (true, false) => "→ ∞",
-                _ => "→ −∞",
-            };
-            let label = Label::at(Text::upright(goes), 3.0, top, 0.6).towards(Vec2::new(0.0, -1.0));
-            drawing.label(label.ranked(2));
+            (x, [1.0, -1.0].map(|side| signs.contains(&side)))
+        })
+        .collect();
+    all.sort_by(|a, b| a.0.total_cmp(&b.0));
+    all.dedup_by(|next, before| {
+        let same = next.0 - before.0 < 0.5;
+        if same {
+            before.1 = [0, 1].map(|i| before.1[i] || next.1[i]);
         }
+        same
+    });
+    drawing.begin("poles", "");
+    for (x, goes) in all {
+        let top = Vec2::new(x, panel.top);
+        drawing.line(Style::Dashed, Vec2::new(x, panel.bottom()), top);
+        let goes = match goes {
+            [true, true] => "→ ±∞",
+            [true, false] => "→ ∞",
+            _ => "→ −∞",
+        };
+        let label = Label::at(Text::upright(goes), 3.0, top, 0.6).towards(Vec2::new(0.0, -1.0));
+        drawing.label(label.ranked(2));
     }
     for (side, above) in [(1.0, true), (-1.0, false)] {
         if group.curves.iter().any(|curve| curve.is_cut(side)) {
@@ -321,7 +336,7 @@ fn dots(drawing: &mut Drawing, panel: &Panel, dots: Line, alone: bool) {
     if apart < DOTS && !alone {
         return;
     }
-    for (x, y) in dots.into_iter().filter(|(_, y)| (panel.y.from..=panel.y.to).contains(y)) {
+    for (x, y) in dots.into_iter().filter(|(_, y)| (-EDGE..=1.0 + EDGE).contains(&panel.y.share(*y))) {
         drawing.mark(Style::Hinge, Shape::Circle { centre: panel.at(x, y), radius: DOT });
     }
 }

@@ -54,13 +54,15 @@ pub(crate) struct Places<'p> {
     path: &'p mut dyn FnMut(f64, &mut Vec<f64>),
     /// Where the way begins and ends.
     pub range: (f64, f64),
+    /// What is no greater is rounding.
+    rounding: f64,
     known: HashMap<u64, usize>,
     numbers: Vec<f64>,
 }
 
 impl<'p> Places<'p> {
-    pub fn new(range: (f64, f64), path: &'p mut dyn FnMut(f64, &mut Vec<f64>)) -> Self {
-        Self { path, range, known: HashMap::new(), numbers: Vec::new() }
+    pub fn new(range: (f64, f64), rounding: f64, path: &'p mut dyn FnMut(f64, &mut Vec<f64>)) -> Self {
+        Self { path, range, rounding, known: HashMap::new(), numbers: Vec::new() }
     }
 
     /// One of the numbers at a place; not a number where it has no value.
@@ -139,7 +141,7 @@ impl<'p> Places<'p> {
         let mut all: Vec<f64> = grid.iter().flatten().map(|s| self.at(*s, which)).collect();
         all.retain(|y| y.is_finite());
         all.sort_by(f64::total_cmp);
-        let of = Spread::of(&all)?;
+        let of = Spread::of(&all, self.rounding)?;
         let (first, last) = self.range;
         let known = breaks.iter().copied().chain([first, last]);
         let mut poles: Vec<Pole> = known.filter_map(|s| self.pole(s, which)).collect();
@@ -217,7 +219,7 @@ impl<'p> Places<'p> {
                 at_d = least(d);
             }
         }
-        if -at_c.min(at_d) <= HIGHER * here.abs() {
+        if -at_c.min(at_d) <= HIGHER * here.abs().max(LOW * of.spread) {
             return None;
         }
         let beside = BESIDE * self.length();
@@ -263,13 +265,13 @@ pub(super) struct Spread {
 }
 
 impl Spread {
-    /// Of numbers in order.
+    /// Of numbers in order; what is no greater than that is rounding.
     #[allow(clippy::cast_precision_loss, clippy::cast_possible_truncation, clippy::cast_sign_loss)] // some thousands
-    pub fn of(sorted: &[f64]) -> Option<Self> {
+    pub fn of(sorted: &[f64], rounding: f64) -> Option<Self> {
         let (first, last) = (*sorted.first()?, *sorted.last()?);
         let at = |share: f64| sorted[((share * sorted.len() as f64) as usize).min(sorted.len() - 1)];
         let (middle, tenths) = (at(0.5), (at(0.1), at(0.9)));
-        let rounding = f64::EPSILON * first.abs().max(last.abs()).max(f64::MIN_POSITIVE);
+        let rounding = (f64::EPSILON * first.abs().max(last.abs())).max(rounding).max(f64::MIN_POSITIVE);
         Some(Self { middle, spread: (tenths.1 - tenths.0).max(rounding), tenths })
     }
 

@@ -239,7 +239,7 @@ impl Refiner<'_, '_> {
 
     fn late(&mut self, stretch: (f64, f64), which: usize) -> Option<Pole> {
         let (low, high) = self.looks[which].window;
-        let of = Spread::of(&[low, 0.5 * (low + high), high])?;
+        let of = Spread::of(&[low, 0.5 * (low + high), high], 0.0)?;
         self.places.between(stretch, which, &of)
     }
 

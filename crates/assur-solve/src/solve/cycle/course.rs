@@ -40,7 +40,7 @@ pub(crate) fn over_sweep(
     let interval = Interval::of(model, statics, &sweep).map_err(Cause::NoSweep)?;
     let mut sampler = Sampler::new(model, statics, &interval)?;
     sampler.tolerance = sampler.tolerance.max(DRAWN);
-    let is_whole = sampler.go_on(model);
+    let is_whole = sampler.draw(model);
     let mut found: Vec<Vec<Course>> = vec![Vec::new(); sets.len()];
     for forces in [false, true] {
         let late = |set: &CourseSet| set.exprs.iter().any(|e| depends_on_forces(model.mechanism, e));
@@ -80,12 +80,13 @@ fn of_set(
     let (first, length) = (sampler.interval.value(0.0), sampler.interval.length());
     let interval = if first.is_finite() && length.is_finite() { (first, length) } else { (0.0, 1.0) };
     let turns = sampler.interval.turns.unwrap_or(0.0).abs();
+    let rounding = sampler.rounding;
     let sampler = RefCell::new(sampler);
     let mut path = |s: f64, out: &mut Vec<f64>| {
         let mut sampler = sampler.borrow_mut();
         out.extend(exprs.iter().map(|expr| sampler.number(statics, s, expr)));
     };
-    let mut places = Places::new((0.0, 1.0), &mut path);
+    let mut places = Places::new((0.0, 1.0), rounding, &mut path);
     let has_bounds = is_whole
         && switches.len() == exprs.len()
         && !zeros.iter().any(|s| (0..exprs.len()).any(|i| places.pole(*s, i).is_some()));

@@ -6,7 +6,7 @@ use super::super::inputs::Rates;
 use super::super::steps::StepLimit;
 use super::super::track::{Tracker, continued};
 use super::depends::{
-    asks_for_angles, asks_for_ideal, depends_on_forces, loads_name_quantities, names_quantity,
+    asks_for_angles, asks_for_ideal, depends_on_forces, is_ideal, loads_name_quantities, names_quantity,
 };
 use super::interval::Interval;
 use super::switches::Switch;
@@ -18,6 +18,13 @@ use std::collections::HashMap;
 
 /// The fewest intervals between places where the mechanism is known beforehand.
 const FEWEST: f64 = 64.0;
+
+/// A place where the mechanism is known that lies so near to a change point, as a part of an interval, is on neither side of it.
+const AT_CHANGE: f64 = 1e-3;
+/// Below this |σ| rates have lost digits that a picture shows.
+const BLURRED: f64 = 1e-4;
+/// What they lose before that, in ε/σ³.
+const BLURS: f64 = 16.0;
 
 /// A place where the mechanism is known: its assemblies, its bodies and their angles.
 struct Anchor {
@@ -49,7 +56,9 @@ impl Need {
         let forces = depends_on_forces(model.mechanism, expr);
         Self {
             forces,
-            ideal: forces && model.plan.effects.loses() && asks_for_ideal(model.mechanism),
+            ideal: forces
+                && model.plan.effects.loses()
+                && (asks_for_ideal(model.mechanism) || is_ideal(model.mechanism, expr)),
             // rounding of forces is small against the loads
             quantities: names_quantity(model.mechanism, expr)
                 || (forces && loads_name_quantities(model.mechanism)),
@@ -82,6 +91,8 @@ pub(super) struct Sampler<'a> {
     anchors: Vec<Anchor>,
     /// At the last place that closed, where the sweep does not up to its end.
     stuck: Option<Tracker>,
+    /// Where a group changes to its other assembly.
+    changes: Vec<f64>,
     /// Intervals between the anchors of the whole sweep.
     intervals: f64,
     /// Memory for the drives.
@@ -102,8 +113,12 @@ pub(super) struct Sampler<'a> {
     need: Need,
     /// How much is computed for the other numbers.
     needs: Vec<(Expr, Need)>,
-    kept: HashMap<u64, usize>,
+    kept: HashMap<u64, (usize, f64)>,
+    /// The least |σ| of the groups where a number was found last.
+    conditioning: f64,
     numbers: Vec<Measured>,
+    /// The numbers are drawn.
+    drawn: bool,
     /// Positions looked at since `begin`.
     pub samples: usize,
     /// Roots of functions that switch, as far as they are known.
@@ -129,15 +144,18 @@ impl<'a> Sampler<'a> {
         let count = StepLimit::of(model).steps(&interval.from, &interval.to).max(FEWEST);
         let mut anchors = vec![Anchor::of(&tracker)];
         let mut values = interval.from.clone();
-        let mut open = None;
+        let (mut open, mut changes) = (None, Vec::new());
         let mut done = 0.0;
         while done < count {
             done += 1.0;
             values.clear();
             values.extend(interval.values(done / count));
-            if tracker.advance_to(model, &rates, &values).is_err() {
-                open = Some(done / count);
-                break;
+            match tracker.advance_to(model, &rates, &values) {
+                Ok(switched) => changes.extend(switched.iter().filter_map(|s| interval.share(&s.at))),
+                Err(_) => {
+                    open = Some(done / count);
+                    break;
+                }
             }
             anchors.push(Anchor::of(&tracker));
         }
@@ -148,6 +166,7 @@ impl<'a> Sampler<'a> {
             rounding: 0.0,
             rates,
             anchors,
+            changes,
             intervals: count,
             values,
             angles: tracker.angles.clone(),
@@ -165,7 +184,9 @@ impl<'a> Sampler<'a> {
             need: Need::default(),
             needs: Vec::new(),
             kept: HashMap::new(),
+            conditioning: 1.0,
             numbers: Vec::new(),
+            drawn: false,
             samples: 0,
             switched: Vec::new(),
             term: None,
@@ -173,8 +194,9 @@ impl<'a> Sampler<'a> {
         })
     }
 
-    /// Goes on over places where the mechanism does not close, as the positions of the sweep do; whether there are none.
-    pub(super) fn go_on(&mut self, model: &Model<'a>) -> bool {
+    /// For pictures: goes on over places where the mechanism does not close, as the positions of the sweep do; whether there are none.
+    pub(super) fn draw(&mut self, model: &Model<'a>) -> bool {
+        self.drawn = true;
         let Some(mut tracker) = self.stuck.take() else { return true };
         self.open = None;
         let mut gap = 0;
@@ -228,8 +250,18 @@ impl<'a> Sampler<'a> {
 
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // from 0 to 20,000
     fn nearest(&self, s: f64) -> usize {
-        let index = (s * self.intervals).round().max(0.0) as usize;
-        index.min(self.anchors.len() - 1)
+        let mut index = (s * self.intervals).round().max(0.0) as usize;
+        let last = self.anchors.len() - 1;
+        for change in &self.changes {
+            let apart = index as f64 - change * self.intervals;
+            // at the change itself both assemblies are one
+            if s > *change && apart < AT_CHANGE {
+                index = (change * self.intervals + AT_CHANGE).ceil() as usize;
+            } else if s < *change && apart > -AT_CHANGE {
+                index = (change * self.intervals - AT_CHANGE).floor().max(0.0) as usize;
+            }
+        }
+        index.min(last)
     }
 
     /// From now on these numbers are computed together. What they depend on must be known.
@@ -294,11 +326,17 @@ impl<'a> Sampler<'a> {
         }
     }
 
-    /// A number at a place of the sweep: 0 where it is rounding, infinite at a pole, not a number where it has no value.
+    /// A number at a place of the sweep: 0 where it is rounding, infinite at a pole, not a number where it has no value and where a
+    /// change point is so near that it has lost its digits.
     pub(super) fn number(&mut self, statics: &WholeCycle, s: f64, expr: &Expr) -> f64 {
         match self.found(statics, s, expr) {
-            Ok(Measured { value: Value::Scalar(x), size }) if !(x.is_finite() && size.is_nan()) => {
-                if is_zero(x, size) || x.abs() <= self.rounding { 0.0 } else { x }
+            Ok(Measured { value: Value::Scalar(x), size })
+                if self.conditioning > BLURRED && !(x.is_finite() && size.is_nan()) =>
+            {
+                // the error of accelerations grows as 1/σ³
+                let blurs = BLURS * f64::EPSILON / self.conditioning.powi(3);
+                let is_rounding = is_zero(x, size) || x.abs() <= self.rounding.max(blurs * size);
+                if is_rounding { 0.0 } else { x }
             }
             _ => f64::NAN,
         }
@@ -308,8 +346,9 @@ impl<'a> Sampler<'a> {
     fn together(&mut self, statics: &WholeCycle, s: f64, which: usize) -> Result<Measured, Undefined> {
         let known = self.kept.get(&s.to_bits()).copied();
         let first = match known {
-            Some(first) => {
+            Some((first, conditioning)) => {
                 self.samples += 1;
+                self.conditioning = conditioning;
                 first
             }
             None => {
@@ -319,7 +358,8 @@ impl<'a> Sampler<'a> {
                 let view = self.view(statics);
                 numbers.extend(self.shared.iter().map(|e| view.measured(e, &self.sizes)));
                 self.numbers = numbers;
-                self.kept.insert(s.to_bits(), first);
+                self.conditioning = self.least_conditioning();
+                self.kept.insert(s.to_bits(), (first, self.conditioning));
                 first
             }
         };
@@ -335,7 +375,12 @@ impl<'a> Sampler<'a> {
         need: Need,
     ) -> Result<Measured, Undefined> {
         self.solve(statics, s, need)?;
+        self.conditioning = self.least_conditioning();
         Ok(self.view(statics).measured(expr, &self.sizes))
+    }
+
+    fn least_conditioning(&self) -> f64 {
+        self.state.motion.conditions.iter().fold(1.0, |least: f64, c| least.min(c.abs()))
     }
 
     fn view<'v>(&'v self, statics: &'v WholeCycle) -> PoseAnswers<'v> {
@@ -383,9 +428,12 @@ impl<'a> Sampler<'a> {
             let memory = std::mem::take(&mut self.quantities);
             self.quantities = self.view(statics).all_quantities_in(memory);
         }
-        let mut sizes = std::mem::take(&mut self.sizes);
-        sizes.update_max(&self.view(statics));
-        self.sizes = sizes;
+        // what is drawn has no size of where it has lost its digits
+        if !self.drawn || self.least_conditioning() > BLURRED {
+            let mut sizes = std::mem::take(&mut self.sizes);
+            sizes.update_max(&self.view(statics));
+            self.sizes = sizes;
+        }
         self.last = Some((s, need));
         Ok(())
     }

@@ -133,7 +133,7 @@ pub(crate) fn over_time(
                 all[i] = run.course(next, asked[i].1);
                 next += 2;
             } else {
-                all[i] = run.unbounded((next, by.len()), &zeros[i]);
+                all[i] = run.unbounded((next, by.len()), (&zeros[i], asked[i].1));
                 next += 1 + by.len();
             }
         }
@@ -230,14 +230,14 @@ impl Run {
     }
 
     /// The course of the quotient of a function and of so many that follow it, which are zero at these instants.
-    fn unbounded(&self, (index, count): (usize, usize), zeros: &[f64]) -> Course {
+    fn unbounded(&self, (index, count): (usize, usize), (zeros, rounding): (&[f64], f64)) -> Course {
         let Some([product, by @ ..]) = self.series.get(index..=index + count) else {
             return Course::default();
         };
         let mut path = |t: f64, out: &mut Vec<f64>| {
             out.push(value(product, t) / by.iter().map(|series| value(series, t)).product::<f64>());
         };
-        let mut places = Places::new(self.between, &mut path);
+        let mut places = Places::new(self.between, rounding, &mut path);
         Course::by_places(&mut places, (0.0, 1.0), 1, (zeros, 0.0)).pop().unwrap_or_default()
     }
 
