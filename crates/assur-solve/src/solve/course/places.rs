@@ -91,12 +91,13 @@ impl<'p> Places<'p> {
     /// The sign with which a number grows without bound towards a place, from one side.
     pub fn grows(&mut self, s: f64, inward: f64, which: usize) -> Option<f64> {
         let step = inward * self.length();
-        let near = DISTANCES.into_iter().map(|d| (d, self.at(s + step * d, which)));
-        let (distance, near) = near.filter(|found| !found.1.is_nan()).next()?;
+        let mut near = DISTANCES.into_iter().map(|d| (d, self.at(s + step * d, which)));
+        let (distance, near) = near.find(|found| !found.1.is_nan())?;
         let [far, farther] =
             [NEARER, NEARER * NEARER].map(|times| self.at(s + step * distance * times, which));
-        let changes = (near - far).abs();
-        let grows = changes > STEEP * distance * far.abs() && !(changes <= GROWS * (far - farther).abs());
+        let [changes, before] = [near - far, far - farther].map(f64::abs);
+        let lasts = before.is_nan() || changes > GROWS * before;
+        let grows = lasts && changes > STEEP * distance * far.abs();
         (grows || near.is_infinite()).then(|| if near.is_infinite() { near } else { near - far }.signum())
     }
 
