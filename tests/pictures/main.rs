@@ -23,6 +23,7 @@ mod mutated;
 mod numbers;
 mod over_sweeps;
 mod over_time;
+mod plots;
 mod random;
 mod read_back;
 mod scenes;

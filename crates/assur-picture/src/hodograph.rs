@@ -1,6 +1,6 @@
 //! Vectors over the sweep by the curve of their ends: the hodograph of a point's velocity, the polar diagram of a reaction.
 
-use crate::diagram::{drive_axis, printed, thinned};
+use crate::diagram::{PARTS, drive_axis, printed, thinned};
 use crate::figures::{FORCE, VELOCITY, cleared, rounding};
 use crate::paper::{Frame, Paper, Scaled};
 use crate::scene::Scene;
@@ -9,11 +9,9 @@ use crate::{error, no_diagram, words};
 use assur_drawing::{Drawing, Label, Level, Rect, Role, Shape, Style, Text};
 use assur_math::math::Vec2;
 use assur_model::model::{Axis, Expr, FindKind, LinkId, Mechanism, PairId, PairKind, PointRef, Query, Value};
-use assur_solve::solve::{CourseSet, Pose, PoseOrigin, courses};
+use assur_solve::solve::{Course, CourseSet, Pose, PoseOrigin, courses};
 use assur_text::diagnostic::Diagnosis;
 
-/// Points of the curve over the sweep.
-const PARTS: f64 = 480.0;
 /// The most vectors at poses.
 const MOST: usize = 12;
 /// From vector to vector of a drive that turns, from number to number, and a turn, degrees.
@@ -184,21 +182,16 @@ fn drawn(scene: &Scene<'_>, of: Of, all: &[Swept], paper: &Paper) -> Result<Vec<
     let set = |swept: &Swept| CourseSet { exprs: components(&swept.query), rounding };
     let sets: Vec<CourseSet> = all.iter().map(set).collect();
     let what = if of == Of::Velocity { "hodograph" } else { "polar diagram" };
-    let found = courses(&scene.model, &scene.solution.statics, &sets)
+    let found = courses(&scene.model, scene.solution, &sets)
         .map_err(|cause| no_diagram::no_sweep(scene, what, &cause))?;
     let mut drawings = Vec::new();
-    for (swept, found) in all.iter().zip(found) {
-        let (lines, turn): (Vec<Vec<Vec2>>, Vec<(f64, Vec2)>) = match found.as_deref() {
-            Ok([x, y]) => {
-                let pairs = x.points(PARTS).into_iter().zip(y.points(PARTS));
-                let course: Vec<(f64, Vec2)> = pairs.map(|(x, y)| (x.0, Vec2::new(x.1, y.1))).collect();
-                (vec![course.iter().map(|point| point.1).collect()], course)
-            }
-            _ => (over_poses(scene, &swept.query), Vec::new()),
-        };
-        if lines.iter().any(|line| line.len() > 1) {
-            let rays = by_degrees(scene, &turn).unwrap_or_else(|| by_poses(scene, &swept.query));
-            drawings.push(picture(scene, of, swept, (&lines, &rays), paper)?);
+    for (swept, found) in all.iter().zip(found.sets) {
+        let lines = joined(&found);
+        if !lines.is_empty() {
+            let rays = by_degrees(scene, &lines).unwrap_or_else(|| by_poses(scene, &swept.query));
+            let ends: Vec<Vec<Vec2>> =
+                lines.iter().map(|line| line.iter().map(|point| point.1).collect()).collect();
+            drawings.push(picture(scene, of, swept, (&ends, &rays), paper)?);
         }
     }
     if drawings.is_empty() {
@@ -226,15 +219,24 @@ fn at(scene: &Scene<'_>, pose: &Pose, query: &Query) -> Option<Vec2> {
     }
 }
 
-fn over_poses(scene: &Scene<'_>, query: &Query) -> Vec<Vec<Vec2>> {
-    let mut lines: Vec<Vec<Vec2>> = vec![Vec::new()];
-    for pose in poses(scene) {
-        match at(scene, pose, query) {
-            Some(v) => lines.last_mut().into_iter().for_each(|line| line.push(v)),
-            None => lines.push(Vec::new()),
-        }
+/// A vector over the sweep, with the values of the drive.
+type Ends = Vec<(f64, Vec2)>;
+
+/// The lines of a vector from those of its components, which have the same places; apart where it leaves what is shown of it.
+fn joined(components: &[Course]) -> Vec<Ends> {
+    let [x, y] = components else { return Vec::new() };
+    let is_shown = |v: &Vec2| {
+        let within =
+            |of: &Course, y: f64| of.poles().next().is_none() || (of.window.0..=of.window.1).contains(&y);
+        within(x, v.x) && within(y, v.y)
+    };
+    let mut all: Vec<Ends> = Vec::new();
+    for (x, y) in x.lines(PARTS).into_iter().zip(y.lines(PARTS)) {
+        let ends: Ends = x.into_iter().zip(y).map(|(x, y)| (x.0, Vec2::new(x.1, y.1))).collect();
+        all.extend(ends.split(|point| !is_shown(&point.1)).map(<[_]>::to_vec));
     }
-    lines
+    all.retain(|line| line.len() > 1);
+    all
 }
 
 fn picture(
@@ -255,8 +257,9 @@ fn picture(
     } else {
         " for a unit speed of the drive"
     };
+    let over = if scene.mechanism().simulation.is_some() { "motion" } else { "sweep" };
     let said = format!(
-        "Ends of the vectors over the sweep{unit_said}; the greatest is {} {unit}.",
+        "Ends of the vectors over the {over}{unit_said}; the greatest is {} {unit}.",
         scene.figure(most, dimension)
     );
     let id = format!("{}-{}", words::id(scene, kind), swept.plain);
@@ -319,9 +322,9 @@ struct Ray {
 
 /// Vectors every ten degrees of a drive that turns, with numbers every thirty, or twice that over two turns; none where it
 /// does not turn so far.
-fn by_degrees(scene: &Scene<'_>, course: &[(f64, Vec2)]) -> Option<Vec<Ray>> {
+fn by_degrees(scene: &Scene<'_>, lines: &[Ends]) -> Option<Vec<Ray>> {
     let along = drive_axis(scene);
-    let (first, last) = (course.first()?, course.last()?);
+    let (first, last) = (lines.first()?.first()?, lines.last()?.last()?);
     let [from, to] = [first, last].map(|point| printed(&along, point.0));
     let (from, wide) = (from.min(to), (to - from).abs());
     let turns = (wide / TURN - 1e-9).ceil();
@@ -336,10 +339,10 @@ fn by_degrees(scene: &Scene<'_>, course: &[(f64, Vec2)]) -> Option<Vec<Ray>> {
     let mut i = begin;
     while i <= end {
         let degrees = i * STEP * turns + 0.0;
-        let at = between(course, |drive| printed(&along, drive), degrees)?;
+        let found = lines.iter().find_map(|line| between(line, |drive| printed(&along, drive), degrees));
         let named = (i * STEP / NUMBERED - (i * STEP / NUMBERED).round()).abs() < 1e-9;
         let words = if named { format!("{degrees:.0}°").replace('-', "−") } else { String::new() };
-        rays.push(Ray { at, words });
+        rays.extend(found.map(|at| Ray { at, words }));
         i += 1.0;
     }
     Some(rays)
@@ -356,12 +359,19 @@ fn between(course: &[(f64, Vec2)], printed: impl Fn(f64) -> f64, at: f64) -> Opt
     })
 }
 
-/// Vectors at poses, evenly over the sweep, with the names of the poses.
+/// Vectors at poses, evenly over the sweep, with the names of the poses, or with the instants.
 fn by_poses(scene: &Scene<'_>, query: &Query) -> Vec<Ray> {
     let all: Vec<&Pose> = poses(scene).collect();
     let step = all.len().div_ceil(MOST).max(1);
-    let shown = all.iter().step_by(step);
-    shown.filter_map(|pose| Some(Ray { at: at(scene, pose, query)?, words: pose.name.clone() })).collect()
+    let ray = |pose: &&Pose| {
+        let solved = pose.outcome.as_ref().ok()?;
+        let words = match scene.mechanism().simulation {
+            Some(_) => scene.place_text(&drive_axis(scene), solved.state.motion.time),
+            None => pose.name.clone(),
+        };
+        Some(Ray { at: at(scene, pose, query)?, words })
+    };
+    all.into_iter().step_by(step).filter_map(|pose| ray(&pose)).collect()
 }
 
 /// Light vectors; the longest with the letter.

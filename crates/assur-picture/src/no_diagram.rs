@@ -26,15 +26,6 @@ pub(crate) fn link_of(scene: &Scene<'_>, point: &str) -> Place {
 /// There is no sweep; the help writes one.
 pub(crate) fn no_sweep(scene: &Scene<'_>, what: &'static str, cause: &Cause) -> Diagnosis {
     let mechanism = scene.mechanism();
-    if let Some(simulation) = &mechanism.simulation {
-        return nothing_to_go_over(
-            what,
-            "the motion follows from the loads, and it is drawn over a sweep alone",
-            Some(simulation.span),
-            "followed in time",
-            "draw numbers over time, with `assur draw FILE plot`, or let a drive turn the mechanism",
-        );
-    }
     let why = match cause {
         Cause::NoSweep(NoSweep::OnePosition) if mechanism.drives.is_empty() => "the file has no drive",
         Cause::NoSweep(NoSweep::OnePosition) => "the file has one position and no sweep",

@@ -1,7 +1,7 @@
 //! Numbers over the sweep, or over time: a panel per unit, curves told apart by dashes and colour, extremes as the solver finds them.
 
 use crate::diagram::{
-    Axis, Curve, LETTERS, Line, Panel, drive_axis, drive_label, over_poses, printed, scaled, with_unit,
+    Axis, LETTERS, Line, PARTS, Panel, clipped, drive_axis, drive_label, printed, scaled, with_unit,
 };
 use crate::figures::{cleared, unit_text};
 use crate::scene::{Scene, marked_events};
@@ -9,7 +9,8 @@ use crate::{no_diagram, words};
 use assur_drawing::{CURVES, Drawing, Label, Shape, Style, Text};
 use assur_math::math::Vec2;
 use assur_model::model::{Axis as Component, Display, Expr, FindKind, Value};
-use assur_solve::solve::{CourseSet, OverTime, courses, over_time};
+use assur_solve::answer::NoSweep;
+use assur_solve::solve::{Cause, Course, CourseSet, Courses, DriveValue, Pose, PoseOrigin, courses};
 use assur_text::diagnostic::Diagnosis;
 
 /// Width of a panel, mm, and the height of one, two and more.
@@ -27,6 +28,11 @@ const STEPS: [f64; 3] = [8.0, 6.0, 4.0];
 /// Sample of a curve before its name, mm, and from name to name.
 const SAMPLE: f64 = 11.0;
 const APART: f64 = 6.0;
+/// What curves that are cut go beyond their panel, as a part of it: rounding takes none off its edge.
+const EDGE: f64 = 1e-4;
+/// Radius of a dot at a position, and how near to one another there are none, mm.
+const DOT: f64 = 0.6;
+const DOTS: f64 = 2.5;
 /// The longest name, letters.
 const LONGEST: usize = 44;
 
@@ -38,17 +44,26 @@ struct Item {
     expr: Expr,
 }
 
+/// An item as it runs.
+struct Curve<'i> {
+    item: &'i Item,
+    course: Course,
+    lines: Vec<Line>,
+    /// What it is at the positions of the sweep.
+    dots: Line,
+}
+
 /// A panel with what it shows.
 struct Group<'i> {
     display: &'i Display,
-    shown: Vec<(&'i Item, Curve)>,
+    curves: Vec<Curve<'i>>,
 }
 
 /// The curves of a plot, for what is shown beside it.
 pub struct Curves {
     along: Display,
     x: Axis,
-    all: Vec<(String, Display, Curve)>,
+    all: Vec<(String, Display, Course)>,
 }
 
 impl Curves {
@@ -64,11 +79,11 @@ impl Curves {
         self.all.len()
     }
 
-    /// The name of one, and its number at a value of the drive: between the points of its curve.
+    /// The name of one, and its number at a value of the drive.
     #[must_use]
     pub fn of(&self, index: usize, drive: f64) -> (&str, &Display, Option<f64>) {
-        let (name, display, curve) = &self.all[index];
-        (name, display, curve.at(drive))
+        let (name, display, course) = &self.all[index];
+        (name, display, course.at(drive))
     }
 }
 
@@ -86,15 +101,16 @@ pub fn plot(scene: &Scene<'_>, which: &[usize]) -> Result<(Drawing, Curves), Dia
     }
     let (curves, events) = curves(scene, &items)?;
     let mut groups: Vec<Group<'_>> = Vec::new();
-    for (item, curve) in items.iter().zip(curves).filter(|(_, curve)| !curve.lines.is_empty()) {
+    for curve in curves.into_iter().filter(|curve| !(curve.lines.is_empty() && curve.dots.is_empty())) {
+        let display = &curve.item.display;
         let fits = |g: &&mut Group<'_>| {
-            g.display.unit == item.display.unit
-                && g.display.dimension == item.display.dimension
-                && g.shown.len() < CURVES.len()
+            g.display.unit == display.unit
+                && g.display.dimension == display.dimension
+                && g.curves.len() < CURVES.len()
         };
         match groups.iter_mut().find(fits) {
-            Some(group) => group.shown.push((item, curve)),
-            None => groups.push(Group { display: &item.display, shown: vec![(item, curve)] }),
+            Some(group) => group.curves.push(curve),
+            None => groups.push(Group { display, curves: vec![curve] }),
         }
     }
     if groups.is_empty() {
@@ -103,35 +119,76 @@ pub fn plot(scene: &Scene<'_>, which: &[usize]) -> Result<(Drawing, Curves), Dia
     let title = format!("{}: {}", words::title(scene), listed(scene, &items));
     let mut drawing = Drawing::new(&words::id(scene, "plot"), title, String::new());
     let (along, x) = panels(scene, &mut drawing, &groups, &events);
-    let all = groups.into_iter().flat_map(|group| group.shown);
-    let all = all.map(|(item, curve)| (item.plain.clone(), item.display.clone(), curve)).collect();
+    let all = groups.into_iter().flat_map(|group| group.curves);
+    let all = all.map(|c| (c.item.plain.clone(), c.item.display.clone(), c.course)).collect();
     Ok((drawing, Curves { along, x, all }))
 }
 
 /// The curves of items, with the places of every event.
-fn curves(scene: &Scene<'_>, items: &[Item]) -> Result<(Vec<Curve>, Vec<Vec<f64>>), Diagnosis> {
-    let small = |item: &Item| scene.rounding(item.display.dimension);
-    let exprs: Vec<(Expr, f64)> = items.iter().map(|item| (item.expr.clone(), small(item))).collect();
-    match over_time(&scene.model, scene.solution, &exprs) {
-        Ok(None) => {}
-        Ok(Some(OverTime { courses, events })) => {
-            return Ok((courses.into_iter().map(Curve::in_time).collect(), events));
-        }
+fn curves<'i>(scene: &Scene<'_>, items: &'i [Item]) -> Result<(Vec<Curve<'i>>, Vec<Vec<f64>>), Diagnosis> {
+    let set = |item: &Item| CourseSet {
+        exprs: vec![item.expr.clone()],
+        rounding: scene.rounding(item.display.dimension),
+    };
+    let sets: Vec<CourseSet> = items.iter().map(set).collect();
+    let is_motion = scene.mechanism().simulation.is_some();
+    let Courses { sets, events } = match courses(&scene.model, scene.solution, &sets) {
+        Ok(found) => found,
         // as the file itself does not
-        Err(_) => return Err(no_diagram::no_quantity(scene, "the motion does not begin")),
+        Err(_) if is_motion => return Err(no_diagram::no_quantity(scene, "the motion does not begin")),
+        // what is no way has its positions
+        Err(Cause::NoSweep(NoSweep::Unordered(_))) => {
+            Courses { sets: vec![Vec::new(); items.len()], ..Courses::default() }
+        }
+        Err(cause) => return Err(no_diagram::no_sweep(scene, "plot", &cause)),
+    };
+    let curve = |(item, found): (&'i Item, Vec<Course>)| {
+        let course = found.into_iter().next().unwrap_or_default();
+        let dots = if is_motion { Line::new() } else { at_positions(scene, &item.expr) };
+        Curve { item, lines: course.lines(PARTS), course, dots }
+    };
+    Ok((items.iter().zip(sets).map(curve).collect(), events))
+}
+
+/// A number at the positions of the sweep.
+fn at_positions(scene: &Scene<'_>, expr: &Expr) -> Line {
+    let poses = scene.solution.poses.iter().filter(|p| matches!(p.origin, PoseOrigin::Sweep(_)));
+    let count = poses.clone().count().max(2) - 1;
+    let dot = |(i, pose): (usize, &Pose)| {
+        #[allow(clippy::cast_precision_loss)] // positions
+        let x = match pose.drives.first() {
+            Some(DriveValue::Scalar(x)) => *x,
+            _ => i as f64 / count as f64,
+        };
+        let solved = pose.outcome.as_ref().ok()?;
+        match scene.solution.view(&scene.model, solved).value(expr) {
+            Value::Scalar(y) if y.is_finite() => Some((x, y)),
+            _ => None,
+        }
+    };
+    poses.enumerate().filter_map(dot).collect()
+}
+
+impl Curve<'_> {
+    /// The least and the greatest number that is shown of it.
+    fn range(&self) -> (f64, f64) {
+        let of = |all: &mut dyn Iterator<Item = f64>| {
+            all.fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), y| (least.min(y), most.max(y)))
+        };
+        if self.lines.is_empty() {
+            return of(&mut self.dots.iter().map(|p| p.1));
+        }
+        if self.course.poles().next().is_some() {
+            return self.course.window;
+        }
+        let own = [self.course.least, self.course.greatest].into_iter().flatten();
+        of(&mut self.lines.iter().flatten().copied().chain(own).map(|p| p.1))
     }
-    let set = |(expr, rounding)| CourseSet { exprs: vec![expr], rounding };
-    let sets: Vec<CourseSet> = exprs.into_iter().map(set).collect();
-    let found = courses(&scene.model, &scene.solution.statics, &sets)
-        .map_err(|cause| no_diagram::no_sweep(scene, "plot", &cause))?;
-    let curves = items.iter().zip(found).map(|(item, found)| match found.as_deref() {
-        Ok([course]) => Curve::of(course),
-        _ => over_poses(scene, &item.expr),
-    });
-    // the curves run over the first drive
-    let statics = &scene.solution.statics;
-    let events = statics.swept.as_ref().filter(|swept| swept.drive == 0).map(|_| statics.events.clone());
-    Ok((curves.collect(), events.unwrap_or_default()))
+
+    /// Whether it has no bound above (1) or below (−1).
+    fn is_cut(&self, side: f64) -> bool {
+        self.course.poles().any(|(_, signs)| signs.contains(&side))
+    }
 }
 
 /// The numbers among the items of `find`; of a vector both components.
@@ -184,44 +241,104 @@ fn panels(
     events: &[Vec<f64>],
 ) -> (Display, Axis) {
     let of_count = (groups.len() - 1).min(2);
-    let height = HEIGHTS[of_count];
     let along = drive_axis(scene);
-    let all = groups.iter().flat_map(|g| &g.shown).flat_map(|(_, c)| c.lines.iter().flatten());
-    let (from, to) = all.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), p| (a.min(p.0), b.max(p.0)));
+    let all = groups.iter().flat_map(|g| &g.curves);
+    // over the whole way, whatever has a value there; over a motion as far as it goes
+    let is_motion = scene.mechanism().simulation.is_some();
+    let places = |curve: &Curve<'_>| {
+        let (first, length) = curve.course.interval;
+        let points = curve.lines.iter().chain([&curve.dots]).flatten().map(|p| p.0);
+        let ends = (!is_motion && !curve.lines.is_empty()).then_some([first, first + length]);
+        points.chain(ends.into_iter().flatten()).collect::<Vec<f64>>()
+    };
+    let (from, to) =
+        all.flat_map(places).fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| (a.min(x), b.max(x)));
     let x = Axis::between(printed(&along, from), printed(&along, to), 13.0, along.unit == "deg");
     let mut top = 0.0;
     for (i, group) in groups.iter().enumerate() {
         let is_last = i + 1 == groups.len();
-        if group.shown.len() > 1 {
+        if group.curves.len() > 1 {
             top = legend(drawing, group, top);
         }
-        let range = group.shown.iter().map(|(_, c)| c.range());
+        let range = group.curves.iter().map(Curve::range);
         let (least, most) =
             range.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), (c, d)| (a.min(c), b.max(d)));
         // what hardly changes is a flat line
         let most = if is_flat(least, most) { least } else { most };
         let y = Axis::around(printed(group.display, least), printed(group.display, most), STEPS[of_count]);
-        let height = if y.is_of_nothing() { ZERO } else { height };
+        let height = if y.is_of_nothing() { ZERO } else { HEIGHTS[of_count] };
         let panel = Panel { top, size: Vec2::new(WIDTH, height), x, y };
         let below = is_last.then(|| with_unit(drive_label(scene), "", &along.unit));
         panel.draw(drawing, heading(group, &y), below);
         marked_events(scene, drawing, &panel, (&along, events), i == 0);
-        for ((item, curve), style) in group.shown.iter().zip(CURVES) {
-            drawing.begin("curve", &item.plain);
+        poles(drawing, &panel, group, &along);
+        for (curve, style) in group.curves.iter().zip(CURVES) {
+            drawing.begin("curve", &curve.item.plain);
             let lines: Vec<Line> =
                 curve.lines.iter().map(|line| scaled(line, &along, group.display)).collect();
-            panel.curve(drawing, style, &lines);
+            let edge = EDGE * (y.to - y.from);
+            panel.curve(drawing, style, &clipped(&lines, (y.from - edge, y.to + edge)));
+            dots(drawing, &panel, scaled(&curve.dots, &along, group.display), lines.is_empty());
             // what is rounding beside the others has no extremes
             let (low, high) = curve.range();
             if low.abs().max(high.abs()) > 1e-9 * least.abs().max(most.abs()) {
                 extremes(scene, drawing, &panel, curve, (&along, group.display), style);
             }
             drawing.end();
-            drawing.description += &said(scene, item, curve, &along);
+            drawing.description += &said(scene, curve, &along);
         }
         top += height + BETWEEN;
     }
     (along, x)
+}
+
+/// Uprights where a curve has no bound, and marks where the axis is cut for them.
+fn poles(drawing: &mut Drawing, panel: &Panel, group: &Group<'_>, along: &Display) {
+    let all = group.curves.iter().flat_map(|curve| curve.course.poles());
+    let mut all: Vec<(f64, [bool; 2])> = all
+        .map(|(at, signs)| {
+            let x = panel.at(printed(along, at), panel.y.to).x;
+            (x, [1.0, -1.0].map(|side| signs.contains(&side)))
+        })
+        .collect();
+    all.sort_by(|a, b| a.0.total_cmp(&b.0));
+    all.dedup_by(|next, before| {
+        let same = next.0 - before.0 < 0.5;
+        if same {
+            before.1 = [0, 1].map(|i| before.1[i] || next.1[i]);
+        }
+        same
+    });
+    drawing.begin("poles", "");
+    for (x, goes) in all {
+        let top = Vec2::new(x, panel.top);
+        drawing.line(Style::Dashed, Vec2::new(x, panel.bottom()), top);
+        let goes = match goes {
+            [true, true] => "→ ±∞",
+            [true, false] => "→ ∞",
+            _ => "→ −∞",
+        };
+        let label = Label::at(Text::upright(goes), 3.0, top, 0.6).towards(Vec2::new(0.0, -1.0));
+        drawing.label(label.ranked(2));
+    }
+    for (side, above) in [(1.0, true), (-1.0, false)] {
+        if group.curves.iter().any(|curve| curve.is_cut(side)) {
+            panel.cut(drawing, above);
+        }
+    }
+    drawing.end();
+}
+
+/// Dots at the positions of the sweep; none where they are too near to one another to be told apart, unless they are all there is.
+fn dots(drawing: &mut Drawing, panel: &Panel, dots: Line, alone: bool) {
+    #[allow(clippy::cast_precision_loss)] // positions
+    let apart = WIDTH / dots.len().max(1) as f64;
+    if apart < DOTS && !alone {
+        return;
+    }
+    for (x, y) in dots.into_iter().filter(|(_, y)| (-EDGE..=1.0 + EDGE).contains(&panel.y.share(*y))) {
+        drawing.mark(Style::Hinge, Shape::Circle { centre: panel.at(x, y), radius: DOT });
+    }
 }
 
 /// Whether numbers between these two are one.
@@ -232,8 +349,8 @@ fn is_flat(least: f64, most: f64) -> bool {
 /// The title of the vertical axis: name and unit of one curve, the unit alone of several.
 fn heading(group: &Group<'_>, y: &Axis) -> Text {
     let unit = &group.display.unit;
-    match group.shown.as_slice() {
-        [(item, _)] => with_unit(item.name.clone(), &y.power_text(), unit),
+    match group.curves.as_slice() {
+        [curve] => with_unit(curve.item.name.clone(), &y.power_text(), unit),
         _ => Text::upright(&y.power_text()).unit(&unit_text(unit)),
     }
 }
@@ -242,7 +359,7 @@ fn heading(group: &Group<'_>, y: &Axis) -> Text {
 fn legend(drawing: &mut Drawing, group: &Group<'_>, top: f64) -> f64 {
     drawing.begin("legend", "");
     let mut at = Vec2::new(22.0, top - 2.5);
-    for ((item, _), style) in group.shown.iter().zip(CURVES) {
+    for (Curve { item, .. }, style) in group.curves.iter().zip(CURVES) {
         let wide = item.name.bounds(LETTERS).size().x;
         if at.x > 22.0 && at.x + SAMPLE + wide > WIDTH {
             at = Vec2::new(22.0, at.y + LEGEND);
@@ -262,7 +379,7 @@ fn extremes(
     scene: &Scene<'_>,
     drawing: &mut Drawing,
     panel: &Panel,
-    curve: &Curve,
+    curve: &Curve<'_>,
     (along, display): (&Display, &Display),
     style: Style,
 ) {
@@ -283,7 +400,7 @@ fn extremes(
         return;
     }
     let large = largest(curve);
-    for (extreme, towards) in [(curve.greatest, -1.0), (curve.least, 1.0)] {
+    for (extreme, towards) in [(curve.course.greatest, -1.0), (curve.course.least, 1.0)] {
         let Some((x, y)) = extreme else { continue };
         let y = cleared(y, large);
         let at = panel.at(printed(along, x), printed(display, y));
@@ -295,28 +412,32 @@ fn extremes(
 }
 
 /// The greatest magnitude on a curve: what is rounding beside it is 0.
-fn largest(curve: &Curve) -> f64 {
+fn largest(curve: &Curve<'_>) -> f64 {
     let (least, greatest) = curve.range();
     least.abs().max(greatest.abs())
 }
 
 /// `Mb: least −261.8 N·m at 120°, greatest 61.2 N·m at 301°. `
-fn said(scene: &Scene<'_>, item: &Item, curve: &Curve, along: &Display) -> String {
-    let large = largest(curve);
-    let value = |y: f64| scene.value_text(&item.display, cleared(y, large));
-    match (curve.least, curve.greatest) {
+fn said(scene: &Scene<'_>, curve: &Curve<'_>, along: &Display) -> String {
+    let (name, large) = (&curve.item.plain, largest(curve));
+    let value = |y: f64| scene.value_text(&curve.item.display, cleared(y, large));
+    let place = |x: f64| scene.place_text(along, x);
+    let said = match (curve.course.least, curve.course.greatest) {
         (Some((x_1, y_1)), Some((x_2, y_2))) if !is_flat(y_1, y_2) => format!(
-            "{}: least {} at {}, greatest {} at {}. ",
-            item.plain,
+            "{name}: least {} at {}, greatest {} at {}. ",
             value(y_1),
-            scene.place_text(along, x_1),
+            place(x_1),
             value(y_2),
-            scene.place_text(along, x_2)
+            place(x_2)
         ),
-        (Some((_, y)), _) => format!("{}: {} everywhere. ", item.plain, value(y)),
-        _ => {
+        (Some((_, y)), Some(_)) => format!("{name}: {} everywhere. ", value(y)),
+        (Some((x, y)), None) => format!("{name}: least {} at {}. ", value(y), place(x)),
+        (None, Some((x, y))) => format!("{name}: greatest {} at {}. ", value(y), place(x)),
+        (None, None) => {
             let (least, greatest) = curve.range();
-            format!("{}: from {} to {}. ", item.plain, value(least), value(greatest))
+            format!("{name}: from {} to {}. ", value(least), value(greatest))
         }
-    }
+    };
+    let poles: Vec<String> = curve.course.poles().map(|pole| place(pole.0)).collect();
+    if poles.is_empty() { said } else { format!("{said}{name}: no bound at {}. ", poles.join(", ")) }
 }

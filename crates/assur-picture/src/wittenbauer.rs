@@ -13,7 +13,7 @@ use assur_drawing::{Drawing, Label, Level, Role, Scale, Shape, Style, Text};
 use assur_math::math::Vec2;
 use assur_model::model::{Display, Expr, Flywheel, FlywheelPart, FlywheelTorque, Query};
 use assur_solve::answer::FlywheelAnswer;
-use assur_solve::solve::SweepCurve;
+use assur_solve::solve::Course;
 
 /// The most that the panel takes, mm.
 const SPACE: Vec2 = Vec2::new(124.0, 92.0);
@@ -68,8 +68,8 @@ pub fn links(scene: &Scene<'_>, which: usize, wheel: &Flywheel, found: &Flywheel
 
 impl<'a> Wittenbauer<'a> {
     /// With the course of the reduced moment of inertia.
-    pub fn of(wheel: &'a Flywheel, found: &'a FlywheelAnswer, links: &SweepCurve, along: Display) -> Self {
-        let line = links.points(PARTS);
+    pub fn of(wheel: &'a Flywheel, found: &'a FlywheelAnswer, links: &Course, along: Display) -> Self {
+        let line = links.lines(PARTS).concat();
         let first = line.first().map_or(0.0, |p| p.1);
         let mut diagram = Self { wheel, found, along, first, points: Vec::new() };
         diagram.points = line.into_iter().map(|(at, inertia)| diagram.point(at, inertia)).collect();

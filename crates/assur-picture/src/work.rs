@@ -2,7 +2,7 @@
 //! fluctuation [W] between its extremes.
 
 use crate::diagram::{
-    Axis, Curve, LETTERS, Line, Panel, drive_axis, drive_label, hatched, printed, scaled, with_unit,
+    Axis, LETTERS, Line, PARTS, Panel, drive_axis, drive_label, hatched, printed, scaled, with_unit,
 };
 use crate::scene::Scene;
 use crate::wittenbauer::{Wittenbauer, links};
@@ -12,7 +12,7 @@ use assur_math::math::Vec2;
 use assur_model::model::{
     BalanceKind, BinaryOp, Display, Expr, Flywheel, FlywheelPart, FlywheelTorque, LinkId, Query,
 };
-use assur_solve::solve::{CourseSet, FlywheelAnswer, SweepCurve, courses};
+use assur_solve::solve::{Course, CourseSet, FlywheelAnswer, courses};
 use assur_text::diagnostic::Diagnosis;
 use assur_text::units::Dimension;
 
@@ -30,7 +30,7 @@ const SMALL: f64 = 0.02;
 struct Sheet<'a> {
     wheel: &'a Flywheel,
     found: &'a FlywheelAnswer,
-    torque: SweepCurve,
+    torque: Course,
     /// Mean of the torque on the shaft of the drive.
     mean: f64,
     along: Display,
@@ -55,11 +55,11 @@ pub fn work(scene: &Scene<'_>) -> Result<Vec<Drawing>, Diagnosis> {
         CourseSet { exprs, rounding: 0.0 }
     };
     let sets: Vec<CourseSet> = wheels.iter().enumerate().map(numbers).collect();
-    let all = courses(&scene.model, &scene.solution.statics, &sets)
+    let all = courses(&scene.model, scene.solution, &sets)
         .map_err(|cause| no_diagram::no_sweep(scene, "work", &cause))?;
     let mut drawings = Vec::new();
-    for ((wheel, found), courses) in wheels.into_iter().zip(all) {
-        let mut courses = courses.into_iter().flatten();
+    for ((wheel, found), courses) in wheels.into_iter().zip(all.sets) {
+        let mut courses = courses.into_iter();
         let Some(torque) = courses.next() else { continue };
         let sheet = Sheet {
             wheel,
@@ -102,13 +102,12 @@ impl Sheet<'_> {
 
     /// The effort, its mean, the areas.
     fn efforts(&self, scene: &Scene<'_>, drawing: &mut Drawing, x: Axis) -> Panel {
-        let curve = Curve::of(&self.torque);
-        let (least, greatest) = curve.range();
+        let (least, greatest) = self.torque.window;
         let [low, high, mean] =
             [least.min(self.mean), greatest.max(self.mean), self.mean].map(|si| printed(&self.moment, si));
         let panel =
             Panel { top: 0.0, size: Vec2::new(WIDTH, HEIGHTS[0]), x, y: Axis::around(low, high, 7.0) };
-        let line: Line = scaled(&curve.lines.concat(), &self.along, &self.moment);
+        let line: Line = scaled(&self.torque.lines(PARTS).concat(), &self.along, &self.moment);
         self.areas(scene, drawing, &panel, &line, mean);
         let name = self.letter(scene);
         panel.draw(drawing, with_unit(name.clone(), &panel.y.power_text(), &self.moment.unit), None);

@@ -9,7 +9,7 @@ use crate::words::{Message, RunMessage, say};
 use assur_formula::with_digits;
 use assur_model::model::{Display, Event, Expr, Find, FindKind, Situation, Value};
 use assur_picture::Kind;
-use assur_solve::solve::over_time;
+use assur_solve::solve::{CourseSet, courses};
 use assur_text::units::Dimension;
 
 /// Digits of its numbers, and instants of an event that are listed.
@@ -51,18 +51,21 @@ impl Derivation<'_> {
             })
             .filter(|(_, expr, _)| matches!(self.scene.view().value(expr), Value::Scalar(_)))
             .collect();
-        let with_rounding = |(_, expr, display): &(&Find, &Expr, &Display)| {
-            ((*expr).clone(), self.scene.rounding(display.dimension))
+        let set = |(_, expr, display): &(&Find, &Expr, &Display)| CourseSet {
+            exprs: vec![(*expr).clone()],
+            rounding: self.scene.rounding(display.dimension),
         };
-        let exprs: Vec<(Expr, f64)> = asked.iter().map(with_rounding).collect();
-        let Ok(Some(found)) = over_time(&self.scene.model, self.scene.solution, &exprs) else { return };
+        let sets: Vec<CourseSet> = asked.iter().map(set).collect();
+        let Ok(found) = courses(&self.scene.model, self.scene.solution, &sets) else { return };
         let time = self.scene.mechanism().display_of(Dimension::TIME);
         let mut rows = Vec::new();
-        for ((find, _, display), course) in asked.into_iter().zip(found.courses) {
-            let points = || course.lines.iter().flatten();
-            let (Some(first), Some(last)) = (points().next(), points().next_back()) else { continue };
+        for ((find, _, display), course) in asked.into_iter().zip(found.sets.into_iter().flatten()) {
+            let lines = course.lines(1.0);
+            let mut points = lines.iter().flatten();
+            let (Some(first), Some(last)) = (points.next(), points.next_back()) else { continue };
             let value = |x: f64| vec![text(with_digits(display.of_si(x), DIGITS).text())];
-            let at = |(t, x): (f64, f64)| {
+            let at = |extreme: Option<(f64, f64)>| {
+                let Some((t, x)) = extreme else { return vec![text("–".to_owned())] };
                 let mut cell = value(x);
                 cell.push(text(format!(" ({})", with_digits(time.of_si(t), DIGITS).text())));
                 cell

@@ -18,7 +18,7 @@ pub struct Axis {
     pub to: f64,
     /// From tick to tick.
     step: f64,
-    /// Digits of a tick behind the point, before the power is taken out.
+    /// Digits of a tick behind the point, before the power is taken out; fewer than none where its last ones are zeros.
     decimals: i32,
     /// Power of ten that is taken out of the numbers at the ticks.
     pub power: i32,
@@ -124,5 +124,5 @@ fn round_step(least: f64) -> (f64, i32) {
     };
     let step: f64 = format!("{mantissa}e{exponent}").parse().unwrap_or(least);
     let decimals = if mantissa == 2.5 { 1 - exponent } else { -exponent };
-    (step, decimals.max(0))
+    (step, decimals)
 }

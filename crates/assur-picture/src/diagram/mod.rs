@@ -6,6 +6,5 @@ mod panel;
 
 pub use area::hatched;
 pub use axis::Axis;
-pub use panel::{Curve, Line, over_poses};
-pub use panel::{LETTERS, Panel, thinned};
+pub use panel::{LETTERS, Line, PARTS, Panel, clipped, thinned};
 pub use panel::{drive_axis, drive_label, printed, scaled, with_unit};

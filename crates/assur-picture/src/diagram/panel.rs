@@ -5,8 +5,7 @@ use crate::figures::unit_text;
 use crate::scene::Scene;
 use assur_drawing::{Drawing, Label, Level, Shape, Style, Text};
 use assur_math::math::Vec2;
-use assur_model::model::{Display, DriveTarget, Expr, PairKind, Value};
-use assur_solve::solve::{DriveValue, PoseOrigin, SweepCurve, TimeCourse};
+use assur_model::model::{Display, DriveTarget, PairKind};
 use assur_text::units::Dimension;
 
 /// Size of the numbers at ticks.
@@ -15,6 +14,8 @@ const NUMBERS: f64 = 3.0;
 pub const LETTERS: f64 = 3.6;
 /// Half a tick, mm.
 const TICK: f64 = 0.8;
+/// Half a stroke across an axis that is cut, mm.
+const CUT: f64 = 1.2;
 /// How far the axes go beyond the panel, mm.
 const BEYOND: f64 = 4.5;
 /// How near to the line between its neighbours a point is left out, mm.
@@ -89,6 +90,16 @@ impl Panel {
         }
     }
 
+    /// Marks that an axis goes on beyond what is shown of it: above, or below.
+    pub fn cut(&self, drawing: &mut Drawing, above: bool) {
+        let y = if above { self.top - CUT } else { self.bottom() - 1.5 * CUT };
+        let strokes = [-0.4, 0.4].map(|i| {
+            let at = Vec2::new(0.0, y + i * CUT);
+            (at + Vec2::new(-CUT, 0.4 * CUT), at + Vec2::new(CUT, -0.4 * CUT))
+        });
+        drawing.mark(Style::Medium, Shape::Strokes(strokes.to_vec()));
+    }
+
     pub fn dot(&self, drawing: &mut Drawing, x: f64, y: f64) -> Vec2 {
         let at = self.at(x, y);
         drawing.mark(Style::Solid, Shape::Circle { centre: at, radius: 0.7 });
@@ -121,83 +132,45 @@ pub fn thinned(points: &[Vec2]) -> Vec<Vec2> {
     points.iter().zip(stays).filter(|(_, stays)| *stays).map(|(p, _)| *p).collect()
 }
 
-// A number over the sweep: from the solver's own series where the sweep is followed whole, else from its positions; over a
-// motion under loads from many instants of it.
-
-/// Points of a curve over the sweep before those are left out that lie on lines between others.
-const PARTS: f64 = 480.0;
+/// Points of a number over the sweep, before those are left out that lie on lines between others.
+pub const PARTS: f64 = 480.0;
 
 /// Points that are joined: values of the drive and of the number.
 pub type Line = Vec<(f64, f64)>;
 
-/// A number over the sweep, SI.
-#[derive(Clone, Debug, Default)]
-pub struct Curve {
-    /// Its lines, apart where it has no value.
-    pub lines: Vec<Line>,
-    /// Where it is least and what it is there; none where it is known at positions alone.
-    pub least: Option<(f64, f64)>,
-    /// The same where it is greatest.
-    pub greatest: Option<(f64, f64)>,
-}
-
-impl Curve {
-    /// Of the solver's series.
-    #[must_use]
-    pub fn of(course: &SweepCurve) -> Self {
-        let lines = vec![course.points(PARTS)];
-        Self { lines, least: Some(course.least), greatest: Some(course.greatest) }
-    }
-
-    /// Over a motion under loads.
-    #[must_use]
-    pub fn in_time(course: TimeCourse) -> Self {
-        let known = |(x, y): (f64, f64)| (x.is_finite() && y.is_finite()).then_some((x, y));
-        Self { least: known(course.least), greatest: known(course.greatest), lines: course.lines }
-    }
-
-    /// The least and the greatest number on it.
-    #[must_use]
-    pub fn range(&self) -> (f64, f64) {
-        let own = [self.least, self.greatest].into_iter().flatten().map(|p| p.1);
-        let all = self.lines.iter().flatten().map(|p| p.1).chain(own);
-        all.fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), y| (least.min(y), most.max(y)))
-    }
-
-    /// The number at a value of the drive, between the points.
-    #[must_use]
-    pub fn at(&self, drive: f64) -> Option<f64> {
-        let near = |a: f64, b: f64| (drive - a) * (drive - b) <= 0.0;
-        self.lines.iter().flat_map(|line| line.windows(2)).find_map(|pair| {
-            let ((x_1, y_1), (x_2, y_2)) = (pair[0], pair[1]);
-            let part = if x_1 == x_2 { 0.0 } else { (drive - x_1) / (x_2 - x_1) };
-            near(x_1, x_2).then_some(y_1 + (y_2 - y_1) * part)
-        })
-    }
-}
-
-/// A number at the positions of the sweep, joined by lines.
+/// What of lines lies between two numbers; they end on them.
 #[must_use]
-pub fn over_poses(scene: &Scene<'_>, expr: &Expr) -> Curve {
-    let mut lines: Vec<Line> = vec![Vec::new()];
-    let poses = &scene.solution.poses;
-    let count = poses.len().max(2) - 1;
-    for (i, pose) in poses.iter().enumerate().filter(|(_, p)| matches!(p.origin, PoseOrigin::Sweep(_))) {
-        let x = match pose.drives.first() {
-            Some(DriveValue::Scalar(x)) => *x,
-            _ => i as f64 / count as f64,
-        };
-        let y =
-            pose.outcome.as_ref().ok().map(|solved| scene.solution.view(&scene.model, solved).value(expr));
-        match y {
-            Some(Value::Scalar(y)) if y.is_finite() => {
-                lines.last_mut().into_iter().for_each(|l| l.push((x, y)))
+pub fn clipped(lines: &[Line], (low, high): (f64, f64)) -> Vec<Line> {
+    let mut all: Vec<Line> = Vec::new();
+    for line in lines {
+        let mut part = Line::new();
+        for pair in line.windows(2) {
+            let ((x_1, y_1), (x_2, y_2)) = (pair[0], pair[1]);
+            let at = |y: f64| if y_1 == y_2 { 0.0 } else { ((y - y_1) / (y_2 - y_1)).clamp(0.0, 1.0) };
+            let (from, to) = if y_1 <= y_2 { (at(low), at(high)) } else { (at(high), at(low)) };
+            let middle = y_1 + (y_2 - y_1) * (0.5 * (from + to));
+            if (from >= to && y_1 != y_2) || middle < low || middle > high {
+                all.push(std::mem::take(&mut part));
+                continue;
             }
-            _ => lines.push(Vec::new()),
+            let to = if y_1 == y_2 { 1.0 } else { to };
+            let point = |share: f64| match share {
+                0.0 => (x_1, y_1),
+                1.0 => (x_2, y_2),
+                _ => (x_1 + (x_2 - x_1) * share, y_1 + (y_2 - y_1) * share),
+            };
+            if from > 0.0 {
+                all.push(std::mem::take(&mut part));
+            }
+            if part.is_empty() {
+                part.push(point(from));
+            }
+            part.push(point(to));
         }
+        all.push(part);
     }
-    lines.retain(|line| line.len() > 1);
-    Curve { lines, least: None, greatest: None }
+    all.retain(|line| line.len() > 1);
+    all
 }
 
 // Numbers, units and the drive's name as they stand in a diagram.

@@ -9,6 +9,7 @@ mod block;
 mod centre_notes;
 mod clause;
 mod closure_after_turn;
+mod course;
 mod cycle;
 mod digits;
 mod extremes;
@@ -53,7 +54,8 @@ pub use again::{PoseOutputs, ReusedSolver};
 pub use assemblies::{Assemblies, GroupAssemblies, GroupAssembly, assemblies, not_chosen};
 pub use block::{BLOCK, Block, FreeSweep};
 pub use clause::{Clause, NamedPoint};
-pub use cycle::{CourseSet, SweepCurve, courses, over_cycle};
+pub use course::{Course, CourseSet, Courses, courses};
+pub use cycle::over_cycle;
 pub use failure::{Cause, Failure, GroupId, Halt, Lost, NoCycle};
 pub use gap::{GroupGap, TurnGap};
 pub use iteration::{Begun, Iteration, iteration};
@@ -63,8 +65,8 @@ pub use refusal::{Refusal, Unpositioned};
 pub use refusals::{refusals, unplaced_reactions};
 pub use replay::Replay;
 pub use simulate::{
-    Energy, Holder, IntegrationOptions, KINDS, Method, NotByEnergy, On, OverTime, Progress, STATES,
-    SimulationReport, SteadyReport, TimeCourse, Trial, Trials, over_time,
+    Energy, Holder, IntegrationOptions, KINDS, Method, NotByEnergy, On, Progress, STATES, SimulationReport,
+    SteadyReport, Trial, Trials,
 };
 pub use solution::{OpenSizes, Pose, Solution, Solved};
 pub use sweep::{Following, solve, solve_with};

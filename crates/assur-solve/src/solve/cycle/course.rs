@@ -1,5 +1,6 @@
-//! Numbers over the sweep as they run, for pictures: smooth between the places where something switches.
+//! Numbers over the sweep as they run, for pictures.
 
+use super::super::course::{Course, CourseSet, Piece, Places};
 use super::super::failure::Cause;
 use super::super::positions::Sweep;
 use super::depends::{depends_on_forces, depends_on_nothing_else};
@@ -9,7 +10,6 @@ use super::sampler::Sampler;
 use super::{extreme, switches};
 use crate::answer::{Undefined, WholeCycle};
 use crate::element::search::greatest;
-use crate::math::chebyshev::Series;
 use crate::model::Expr;
 use crate::position::Model;
 use std::cell::RefCell;
@@ -20,91 +20,28 @@ const DRAWN: f64 = 2e-9;
 /// Beside the greatest value an extreme below this may be one of nothing, and how far around it is looked for that.
 const NOTHING: f64 = 1e-4;
 const AROUND: f64 = 1e-3;
-
-/// A number over the sweep.
-#[derive(Clone, Debug, Default)]
-pub struct SweepCurve {
-    /// The number in the sweep's own coordinate from 0 to 1, panel by panel.
-    panels: Vec<Series>,
-    /// Where it may jump, in that coordinate.
-    breaks: Vec<f64>,
-    /// First value and length of the sweep of the first drive, rad or m; from 0 to 1 where that is a point.
-    pub interval: (f64, f64),
-    /// Where it is least, as a value of the drive, and what it is there.
-    pub least: (f64, f64),
-    /// Where it is greatest.
-    pub greatest: (f64, f64),
-    /// The greatest magnitude in play.
-    pub scale: f64,
-}
-
-impl SweepCurve {
-    /// Points of it: values of the drive and of the number, at least `parts` over the sweep. Two at one place are a jump.
-    #[must_use]
-    pub fn points(&self, parts: f64) -> Vec<(f64, f64)> {
-        let mut all = Vec::new();
-        for panel in &self.panels {
-            let count = ((panel.to - panel.from) * parts).ceil().max(4.0);
-            let follows = !all.is_empty() && !self.breaks.contains(&panel.from);
-            let mut i = if follows { 1.0 } else { 0.0 };
-            while i <= count {
-                let s = if i == count { panel.to } else { panel.from + (panel.to - panel.from) * i / count };
-                all.push((self.value(s), panel.value(s)));
-                i += 1.0;
-            }
-        }
-        all
-    }
-
-    /// Values of the drive where it passes through a level, in order; a jump through it is one.
-    #[must_use]
-    pub fn crossings(&self, level: f64) -> Vec<f64> {
-        let mut all: Vec<f64> = Vec::new();
-        let mut before: Option<f64> = None;
-        for panel in &self.panels {
-            let apart = panel.clone().less(level);
-            let begin = apart.value(apart.from);
-            if before.is_some_and(|b| b * begin < 0.0) {
-                all.push(panel.from);
-            }
-            all.extend(apart.roots());
-            before = Some(apart.value(apart.to));
-        }
-        all.into_iter().map(|s| self.value(s)).collect()
-    }
-
-    /// Values of the drive where something switches.
-    pub fn switches(&self) -> impl Iterator<Item = f64> + '_ {
-        self.breaks.iter().map(|s| self.value(*s))
-    }
-
-    fn value(&self, s: f64) -> f64 {
-        self.interval.0 + self.interval.1 * s
-    }
-}
-
-/// Numbers that have their points at the same places.
-#[derive(Clone, Debug, Default)]
-pub struct CourseSet {
-    pub exprs: Vec<Expr>,
-    /// What is no greater than this is rounding, SI.
-    pub rounding: f64,
-}
+/// Series that leave off more than this part of what their numbers mostly go through are none for a picture.
+const SEEN: f64 = 1e-4;
+/// Where that is looked for.
+const LOOKS: usize = 128;
+/// What hardly changes is looked at as if it changed by this part.
+const CHANGES: f64 = 1e-3;
 
 /// The courses of numbers over the sweep of a solved file, set by set.
 ///
 /// # Errors
 /// There is no sweep.
-pub fn courses(
+pub(crate) fn over_sweep(
     model: &Model<'_>,
     statics: &WholeCycle,
     sets: &[CourseSet],
-) -> Result<Vec<Result<Vec<SweepCurve>, Undefined>>, Cause> {
+) -> Result<Vec<Vec<Course>>, Cause> {
     let sweep = Sweep::of(model, statics);
     let interval = Interval::of(model, statics, &sweep).map_err(Cause::NoSweep)?;
     let mut sampler = Sampler::new(model, statics, &interval)?;
     sampler.tolerance = sampler.tolerance.max(DRAWN);
-    let mut found: Vec<Option<Result<Vec<SweepCurve>, Undefined>>> = vec![None; sets.len()];
+    let is_whole = sampler.draw(model);
+    let mut found: Vec<Vec<Course>> = vec![Vec::new(); sets.len()];
     for forces in [false, true] {
         let late = |set: &CourseSet| set.exprs.iter().any(|e| depends_on_forces(model.mechanism, e));
         let sets = || sets.iter().enumerate().filter(|(_, set)| late(set) == forces);
@@ -117,50 +54,90 @@ pub fn courses(
         );
         for (i, set) in sets() {
             sampler.rounding = set.rounding;
-            found[i] = Some(of_set(model, statics, &mut sampler, &set.exprs));
+            found[i] = of_set(model, statics, (&mut sampler, is_whole), &set.exprs);
         }
     }
-    Ok(found.into_iter().flatten().collect())
+    Ok(found)
 }
 
 fn of_set(
     model: &Model<'_>,
     statics: &WholeCycle,
-    sampler: &mut Sampler<'_>,
+    (sampler, is_whole): (&mut Sampler<'_>, bool),
     exprs: &[Expr],
-) -> Result<Vec<SweepCurve>, Undefined> {
+) -> Vec<Course> {
     sampler.begin();
-    let mut breaks = Vec::new();
-    for expr in exprs {
-        breaks.extend(switches::breaks(model, statics, sampler, expr)?);
-    }
-    breaks.sort_by(f64::total_cmp);
-    breaks.dedup_by(|a, b| *a - *b <= switches::APART);
-    let all: Vec<&Expr> = exprs.iter().collect();
-    let found = piecewise(sampler, statics, (&all, None), &breaks)?;
+    let switches: Vec<Vec<f64>> =
+        exprs.iter().filter_map(|expr| switches::breaks(model, statics, sampler, expr).ok()).collect();
+    let in_order = |mut all: Vec<f64>| {
+        all.sort_by(f64::total_cmp);
+        all.dedup_by(|a, b| *a - *b <= switches::APART);
+        all
+    };
+    let breaks = in_order(switches.concat());
+    let zeros = exprs.iter().flat_map(|expr| switches::zeros(model, statics, sampler, expr));
+    let zeros: Vec<f64> = in_order(zeros.collect());
     let (first, length) = (sampler.interval.value(0.0), sampler.interval.length());
     let interval = if first.is_finite() && length.is_finite() { (first, length) } else { (0.0, 1.0) };
+    let turns = sampler.interval.turns.unwrap_or(0.0).abs();
+    let rounding = sampler.rounding;
+    let sampler = RefCell::new(sampler);
+    let mut path = |s: f64, out: &mut Vec<f64>| {
+        let mut sampler = sampler.borrow_mut();
+        out.extend(exprs.iter().map(|expr| sampler.number(statics, s, expr)));
+    };
+    let mut places = Places::new((0.0, 1.0), rounding, &mut path);
+    let has_bounds = is_whole
+        && switches.len() == exprs.len()
+        && !zeros.iter().any(|s| (0..exprs.len()).any(|i| places.pole(*s, i).is_some()));
+    let series = has_bounds.then(|| smooth(statics, &mut sampler.borrow_mut(), exprs, (&breaks, interval)));
+    if let Some(Ok(series)) = series
+        && (0..exprs.len()).all(|i| follows(&mut places, &series[i], i))
+    {
+        return series;
+    }
+    let known = in_order([breaks, zeros].concat());
+    Course::by_places(&mut places, interval, exprs.len(), (&known, turns))
+}
+
+/// Whether series follow a number so near that a picture shows nothing else: neither a pole nor a jump has hidden in a narrow one.
+fn follows(places: &mut Places<'_>, course: &Course, which: usize) -> bool {
+    #[allow(clippy::cast_precision_loss)] // a few
+    let mut seen: Vec<f64> =
+        (0..=LOOKS).map(|i| places.at(i as f64 / LOOKS as f64, which)).filter(|y| y.is_finite()).collect();
+    seen.sort_by(f64::total_cmp);
+    let tenth = seen.len() / 10;
+    let (Some(low), Some(high)) = (seen.get(tenth), seen.iter().rev().nth(tenth)) else { return false };
+    let wide = (high - low).max(CHANGES * low.abs().max(high.abs()));
+    course.pieces.iter().all(|piece| match piece {
+        Piece::Series(panels) => panels.iter().all(|panel| panel.tail() <= SEEN * wide),
+        Piece::Points(_) => true,
+    })
+}
+
+/// Numbers that are smooth between the breaks.
+fn smooth(
+    statics: &WholeCycle,
+    sampler: &mut Sampler<'_>,
+    exprs: &[Expr],
+    (breaks, interval): (&[f64], (f64, f64)),
+) -> Result<Vec<Course>, Undefined> {
+    let all: Vec<&Expr> = exprs.iter().collect();
+    let found = piecewise(sampler, statics, (&all, None), breaks)?;
     let course = |(expr, piecewise): (&Expr, Piecewise)| {
         let mut found = |sign| -> Result<(f64, f64), Undefined> {
             let found = extreme(statics, sampler, expr, &piecewise, sign)?;
             Ok(or_end(&piecewise, near_nothing(statics, sampler, expr, &piecewise, found), sign))
         };
         let (least, greatest) = (found(-1.0)?, found(1.0)?);
-        let scale = piecewise.scale;
-        let mut course = SweepCurve {
-            panels: piecewise.panels,
-            breaks: breaks.clone(),
-            interval,
-            scale,
-            ..SweepCurve::default()
-        };
-        course.least = (course.value(least.0), least.1);
-        course.greatest = (course.value(greatest.0), greatest.1);
-        Ok(course)
+        let (breaks, window) = (breaks.to_vec(), (least.1, greatest.1));
+        let course = Course { breaks, interval, window, ..Course::default() };
+        let at = |(s, y): (f64, f64)| Some((course.value(s), y));
+        let (least, greatest) = (at(least), at(greatest));
+        Ok(Course { pieces: vec![Piece::Series(piecewise.panels)], least, greatest, ..course })
     };
     exprs.iter().zip(found).map(course).collect()
 }
-
 /// An extreme that is next to nothing: of a magnitude that passes through zero, where no series is smooth. It is looked for around.
 fn near_nothing(
     statics: &WholeCycle,

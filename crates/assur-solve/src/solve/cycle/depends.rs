@@ -4,7 +4,7 @@ use crate::answer::{every_expr, every_query};
 use crate::model::{About, Expr, Mechanism, PairKind, Query};
 
 /// Calls `visit` on all parts of an expression, and of the quantities and the loads that it names.
-fn every_part(mechanism: &Mechanism, expr: &Expr, visit: &mut impl FnMut(&Expr)) {
+pub(super) fn every_part(mechanism: &Mechanism, expr: &Expr, visit: &mut impl FnMut(&Expr)) {
     let mut quantities = vec![false; mechanism.quantities.len()];
     let mut loads = vec![false; mechanism.loads.len()];
     let mut waiting = vec![expr];
@@ -80,14 +80,16 @@ pub(super) fn asks_for_angles(mechanism: &Mechanism) -> bool {
 
 /// Whether the file asks anywhere for what it would be without friction.
 pub(super) fn asks_for_ideal(mechanism: &Mechanism) -> bool {
-    let exprs = mechanism.quantities.iter().map(|q| &q.expr).chain(mechanism.cycles.iter().map(|c| &c.expr));
-    let mut asked = asks_for_ideal_flywheels(mechanism);
-    for expr in exprs {
-        expr.parts(&mut |part| {
-            asked |= matches!(part, Expr::Frictionless(_) | Expr::Query(Query::Efficiency | Query::Locked));
-        });
-    }
-    asked
+    let mut exprs =
+        mechanism.quantities.iter().map(|q| &q.expr).chain(mechanism.cycles.iter().map(|c| &c.expr));
+    asks_for_ideal_flywheels(mechanism) || exprs.any(|expr| is_ideal(mechanism, expr))
+}
+
+/// Whether an expression asks for that.
+pub(super) fn is_ideal(mechanism: &Mechanism, expr: &Expr) -> bool {
+    any(mechanism, expr, |part| {
+        matches!(part, Expr::Frictionless(_) | Expr::Query(Query::Efficiency | Query::Locked))
+    })
 }
 
 /// Whether it asks for a flywheel as it would be without friction.

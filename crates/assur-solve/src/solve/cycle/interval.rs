@@ -89,6 +89,18 @@ impl Interval {
         }
     }
 
+    /// The place of the sweep with these drive values.
+    pub(super) fn share(&self, values: &[DriveValue]) -> Option<f64> {
+        let ends = self.from.iter().zip(&self.to).zip(values);
+        ends.filter_map(|((from, to), at)| match (from, to, at) {
+            (DriveValue::Scalar(a), DriveValue::Scalar(b), DriveValue::Scalar(x)) if a != b => {
+                Some((x - a) / (b - a))
+            }
+            _ => None,
+        })
+        .next()
+    }
+
     /// A place of the sweep with its drive value.
     pub(super) fn place(&self, s: f64) -> SweepPlace {
         SweepPlace { share: s, drive: self.value(s) }

@@ -15,9 +15,10 @@ mod roots;
 mod sampler;
 mod switches;
 
-pub use course::{CourseSet, SweepCurve, courses};
+pub(crate) use course::over_sweep;
 pub(super) use depends::loads_name_quantities;
 pub(crate) use events::{events, never_ended};
+pub(super) use switches::denominators;
 
 use super::failure::{Cause, Failure};
 use super::note::Note;

@@ -6,11 +6,11 @@ use super::super::inputs::Rates;
 use super::super::steps::StepLimit;
 use super::super::track::{Tracker, continued};
 use super::depends::{
-    asks_for_angles, asks_for_ideal, depends_on_forces, loads_name_quantities, names_quantity,
+    asks_for_angles, asks_for_ideal, depends_on_forces, is_ideal, loads_name_quantities, names_quantity,
 };
 use super::interval::Interval;
 use super::switches::Switch;
-use crate::answer::{LeftCurve, Measured, PoseAnswers, Sizes, Undefined, WholeCycle, balanced};
+use crate::answer::{LeftCurve, Measured, PoseAnswers, Sizes, Undefined, WholeCycle, balanced, is_zero};
 use crate::model::{Expr, Harmonic, LoadId, Value};
 use crate::plan::{Level, Settings};
 use crate::position::{BodyState, Branch, DEAD, DriveValue, Model, State, extent};
@@ -19,11 +19,28 @@ use std::collections::HashMap;
 /// The fewest intervals between places where the mechanism is known beforehand.
 const FEWEST: f64 = 64.0;
 
+/// A place where the mechanism is known that lies so near to a change point, as a part of an interval, is on neither side of it.
+const AT_CHANGE: f64 = 1e-3;
+/// Below this |σ| rates have lost digits that a picture shows.
+const BLURRED: f64 = 1e-4;
+/// What they lose before that, in ε/σ³.
+const BLURS: f64 = 16.0;
+
 /// A place where the mechanism is known: its assemblies, its bodies and their angles.
 struct Anchor {
     branches: Vec<Branch>,
     bodies: Vec<BodyState>,
     angles: Vec<f64>,
+}
+
+impl Anchor {
+    fn of(tracker: &Tracker) -> Self {
+        Self {
+            branches: tracker.state.branches.clone(),
+            bodies: tracker.state.motion.bodies.clone(),
+            angles: tracker.angles.clone(),
+        }
+    }
 }
 
 /// How much is computed at a place.
@@ -39,7 +56,9 @@ impl Need {
         let forces = depends_on_forces(model.mechanism, expr);
         Self {
             forces,
-            ideal: forces && model.plan.effects.loses() && asks_for_ideal(model.mechanism),
+            ideal: forces
+                && model.plan.effects.loses()
+                && (asks_for_ideal(model.mechanism) || is_ideal(model.mechanism, expr)),
             // rounding of forces is small against the loads
             quantities: names_quantity(model.mechanism, expr)
                 || (forces && loads_name_quantities(model.mechanism)),
@@ -70,6 +89,10 @@ pub(super) struct Sampler<'a> {
     pub rounding: f64,
     rates: Rates,
     anchors: Vec<Anchor>,
+    /// At the last place that closed, where the sweep does not up to its end.
+    stuck: Option<Tracker>,
+    /// Where a group changes to its other assembly.
+    changes: Vec<f64>,
     /// Intervals between the anchors of the whole sweep.
     intervals: f64,
     /// Memory for the drives.
@@ -90,8 +113,12 @@ pub(super) struct Sampler<'a> {
     need: Need,
     /// How much is computed for the other numbers.
     needs: Vec<(Expr, Need)>,
-    kept: HashMap<u64, usize>,
+    kept: HashMap<u64, (usize, f64)>,
+    /// The least |σ| of the groups where a number was found last.
+    conditioning: f64,
     numbers: Vec<Measured>,
+    /// The numbers are drawn.
+    drawn: bool,
     /// Positions looked at since `begin`.
     pub samples: usize,
     /// Roots of functions that switch, as far as they are known.
@@ -115,24 +142,22 @@ impl<'a> Sampler<'a> {
         let state = assemble(model, state)?;
         let mut tracker = Tracker::new(model, state.clone(), &interval.from);
         let count = StepLimit::of(model).steps(&interval.from, &interval.to).max(FEWEST);
-        let anchor = |tracker: &Tracker| Anchor {
-            branches: tracker.state.branches.clone(),
-            bodies: tracker.state.motion.bodies.clone(),
-            angles: tracker.angles.clone(),
-        };
-        let mut anchors = vec![anchor(&tracker)];
+        let mut anchors = vec![Anchor::of(&tracker)];
         let mut values = interval.from.clone();
-        let mut open = None;
+        let (mut open, mut changes) = (None, Vec::new());
         let mut done = 0.0;
         while done < count {
             done += 1.0;
             values.clear();
             values.extend(interval.values(done / count));
-            if tracker.advance_to(model, &rates, &values).is_err() {
-                open = Some(done / count);
-                break;
+            match tracker.advance_to(model, &rates, &values) {
+                Ok(switched) => changes.extend(switched.iter().filter_map(|s| interval.share(&s.at))),
+                Err(_) => {
+                    open = Some(done / count);
+                    break;
+                }
             }
-            anchors.push(anchor(&tracker));
+            anchors.push(Anchor::of(&tracker));
         }
         Ok(Self {
             model: *model,
@@ -141,9 +166,11 @@ impl<'a> Sampler<'a> {
             rounding: 0.0,
             rates,
             anchors,
+            changes,
             intervals: count,
             values,
-            angles: tracker.angles,
+            angles: tracker.angles.clone(),
+            stuck: open.map(|_| tracker),
             state,
             evaluated: Vec::new(),
             quantities: Vec::new(),
@@ -157,12 +184,43 @@ impl<'a> Sampler<'a> {
             need: Need::default(),
             needs: Vec::new(),
             kept: HashMap::new(),
+            conditioning: 1.0,
             numbers: Vec::new(),
+            drawn: false,
             samples: 0,
             switched: Vec::new(),
             term: None,
             left: None,
         })
+    }
+
+    /// For pictures: goes on over places where the mechanism does not close, as the positions of the sweep do; whether there are none.
+    pub(super) fn draw(&mut self, model: &Model<'a>) -> bool {
+        self.drawn = true;
+        let Some(mut tracker) = self.stuck.take() else { return true };
+        self.open = None;
+        let mut gap = 0;
+        #[allow(clippy::cast_precision_loss)] // up to 20,000
+        while self.anchors.len() as f64 <= self.intervals {
+            let values: Vec<DriveValue> =
+                self.interval.values(self.anchors.len() as f64 / self.intervals).collect();
+            let closes = gap == 0 && tracker.advance_to(model, &self.rates, &values).is_ok();
+            if closes {
+                self.anchors.push(Anchor::of(&tracker));
+            } else if tracker.jump(model, &self.rates, &values).is_ok() {
+                // places before it are nearer to it than to where the gap began
+                if gap > 0 {
+                    self.anchors.pop();
+                    self.anchors.push(Anchor::of(&tracker));
+                }
+                self.anchors.push(Anchor::of(&tracker));
+                gap = 0;
+            } else {
+                self.anchors.push(Anchor::of(&tracker));
+                gap += 1;
+            }
+        }
+        false
     }
 
     /// Whether the bodies stand at the sweep's end as at its beginning.
@@ -192,8 +250,18 @@ impl<'a> Sampler<'a> {
 
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // from 0 to 20,000
     fn nearest(&self, s: f64) -> usize {
-        let index = (s * self.intervals).round().max(0.0) as usize;
-        index.min(self.anchors.len() - 1)
+        let mut index = (s * self.intervals).round().max(0.0) as usize;
+        let last = self.anchors.len() - 1;
+        for change in &self.changes {
+            let apart = index as f64 - change * self.intervals;
+            // at the change itself both assemblies are one
+            if s > *change && apart < AT_CHANGE {
+                index = (change * self.intervals + AT_CHANGE).ceil() as usize;
+            } else if s < *change && apart > -AT_CHANGE {
+                index = (change * self.intervals - AT_CHANGE).floor().max(0.0) as usize;
+            }
+        }
+        index.min(last)
     }
 
     /// From now on these numbers are computed together. What they depend on must be known.
@@ -231,13 +299,7 @@ impl<'a> Sampler<'a> {
 
     /// The value of a number at a place of the sweep, with its size.
     pub(super) fn sample(&mut self, statics: &WholeCycle, s: f64, expr: &Expr) -> Result<Sample, Undefined> {
-        let found = match self.shared.iter().position(|e| e == expr) {
-            Some(which) => self.together(statics, s, which)?,
-            None => {
-                let need = self.need_of(expr);
-                self.measured(statics, s, expr, need)?
-            }
-        };
+        let found = self.found(statics, s, expr)?;
         match found.value {
             Value::Scalar(value) if value.is_finite() && !found.size.is_nan() => {
                 let weight = self.term.map_or(1.0, |term| term.weight(self.interval.value(s)));
@@ -254,12 +316,39 @@ impl<'a> Sampler<'a> {
         Err(Undefined::At(self.interval.place(s)))
     }
 
+    fn found(&mut self, statics: &WholeCycle, s: f64, expr: &Expr) -> Result<Measured, Undefined> {
+        match self.shared.iter().position(|e| e == expr) {
+            Some(which) => self.together(statics, s, which),
+            None => {
+                let need = self.need_of(expr);
+                self.measured(statics, s, expr, need)
+            }
+        }
+    }
+
+    /// A number at a place of the sweep: 0 where it is rounding, infinite at a pole, not a number where it has no value and where a
+    /// change point is so near that it has lost its digits.
+    pub(super) fn number(&mut self, statics: &WholeCycle, s: f64, expr: &Expr) -> f64 {
+        match self.found(statics, s, expr) {
+            Ok(Measured { value: Value::Scalar(x), size })
+                if self.conditioning > BLURRED && !(x.is_finite() && size.is_nan()) =>
+            {
+                // the error of accelerations grows as 1/σ³
+                let blurs = BLURS * f64::EPSILON / self.conditioning.powi(3);
+                let is_rounding = is_zero(x, size) || x.abs() <= self.rounding.max(blurs * size);
+                if is_rounding { 0.0 } else { x }
+            }
+            _ => f64::NAN,
+        }
+    }
+
     /// One of the shared numbers: all are computed at a place that is new.
     fn together(&mut self, statics: &WholeCycle, s: f64, which: usize) -> Result<Measured, Undefined> {
         let known = self.kept.get(&s.to_bits()).copied();
         let first = match known {
-            Some(first) => {
+            Some((first, conditioning)) => {
                 self.samples += 1;
+                self.conditioning = conditioning;
                 first
             }
             None => {
@@ -269,7 +358,8 @@ impl<'a> Sampler<'a> {
                 let view = self.view(statics);
                 numbers.extend(self.shared.iter().map(|e| view.measured(e, &self.sizes)));
                 self.numbers = numbers;
-                self.kept.insert(s.to_bits(), first);
+                self.conditioning = self.least_conditioning();
+                self.kept.insert(s.to_bits(), (first, self.conditioning));
                 first
             }
         };
@@ -285,7 +375,12 @@ impl<'a> Sampler<'a> {
         need: Need,
     ) -> Result<Measured, Undefined> {
         self.solve(statics, s, need)?;
+        self.conditioning = self.least_conditioning();
         Ok(self.view(statics).measured(expr, &self.sizes))
+    }
+
+    fn least_conditioning(&self) -> f64 {
+        self.state.motion.conditions.iter().fold(1.0, |least: f64, c| least.min(c.abs()))
     }
 
     fn view<'v>(&'v self, statics: &'v WholeCycle) -> PoseAnswers<'v> {
@@ -333,9 +428,12 @@ impl<'a> Sampler<'a> {
             let memory = std::mem::take(&mut self.quantities);
             self.quantities = self.view(statics).all_quantities_in(memory);
         }
-        let mut sizes = std::mem::take(&mut self.sizes);
-        sizes.update_max(&self.view(statics));
-        self.sizes = sizes;
+        // what is drawn has no size of where it has lost its digits
+        if !self.drawn || self.least_conditioning() > BLURRED {
+            let mut sizes = std::mem::take(&mut self.sizes);
+            sizes.update_max(&self.view(statics));
+            self.sizes = sizes;
+        }
         self.last = Some((s, need));
         Ok(())
     }

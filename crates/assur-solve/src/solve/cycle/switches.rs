@@ -2,12 +2,13 @@
 //! difference under `max` passes through zero, where a load or friction changes its sense. Each is a root of a known
 //! function.
 
+use super::depends::every_part;
 use super::roots::roots;
 use super::sampler::Sampler;
 use crate::answer::{Undefined, WholeCycle};
 use crate::model::{
     BinaryOp, Curve, Expr, Function, GenevaPair, LinkId, LoadKind, Mechanism, PairId, PairKind, Place,
-    PointRef, QuantityId, Query,
+    PointRef, QuantityId, Query, Value,
 };
 use crate::position::Model;
 use std::sync::Arc;
@@ -25,16 +26,58 @@ pub(super) fn breaks(
     let mut switches = Switches::of(model);
     switches.expr(expr);
     model.mechanism.genevas.iter().for_each(|pair| switches.add(entry(pair)));
+    let mut all = places(statics, sampler, &switches.found)?;
+    all.retain(|s| *s > APART && *s < 1.0 - APART);
+    Ok(all)
+}
+
+/// Places of the sweep where a denominator of the quantity is zero; none where it has no value on the whole of it.
+pub(super) fn zeros(
+    model: &Model<'_>,
+    statics: &WholeCycle,
+    sampler: &mut Sampler<'_>,
+    expr: &Expr,
+) -> Vec<f64> {
+    let of = |expr| Switch { expr, curve: None };
+    let all: Vec<Switch> = denominators(model.mechanism, expr).into_iter().map(of).collect();
+    places(statics, sampler, &all).unwrap_or_default()
+}
+
+/// What a number is divided by, or the logarithm of: where one of these is zero it may have no bound.
+pub(crate) fn denominators(mechanism: &Mechanism, expr: &Expr) -> Vec<Expr> {
+    let mut all: Vec<Expr> = Vec::new();
+    every_part(mechanism, expr, &mut |part| {
+        let divides = match part {
+            Expr::Binary(BinaryOp::Div, _, by) => (**by).clone(),
+            Expr::Power(base, exponent) if matches!(**exponent, Expr::Constant(Value::Scalar(x)) if x < 0.0) => {
+                (**base).clone()
+            }
+            Expr::Call(Function::Log, of) => of.first().cloned().unwrap_or_else(|| Expr::number(1.0)),
+            Expr::Call(Function::Tan, of) => Expr::Call(Function::Cos, of.clone()),
+            Expr::Query(Query::CurvatureRadius(point)) => {
+                let motion = [Query::Velocity(*point), Query::Acceleration(*point)].map(number);
+                Expr::Call(Function::Cross, motion.to_vec())
+            }
+            _ => return,
+        };
+        if !matches!(divides, Expr::Constant(_)) && !all.contains(&divides) {
+            all.push(divides);
+        }
+    });
+    all
+}
+
+/// Roots of functions over the sweep, in order.
+fn places(statics: &WholeCycle, sampler: &mut Sampler<'_>, wanted: &[Switch]) -> Result<Vec<f64>, Undefined> {
     let is_known = |switch: &&Switch| sampler.switched.iter().any(|known| known.0 == **switch);
-    let new: Vec<Switch> = switches.found.iter().filter(|s| !is_known(s)).cloned().collect();
+    let new: Vec<Switch> = wanted.iter().filter(|s| !is_known(s)).cloned().collect();
     if !new.is_empty() {
         let found = roots(statics, sampler, &new)?;
         sampler.switched.extend(new.into_iter().zip(found));
     }
-    let known = sampler.switched.iter().filter(|known| switches.found.contains(&known.0));
+    let known = sampler.switched.iter().filter(|known| wanted.contains(&known.0));
     let mut all: Vec<f64> = known.flat_map(|known| known.1.iter().copied()).collect();
     all.sort_by(f64::total_cmp);
-    all.retain(|s| *s > APART && *s < 1.0 - APART);
     all.dedup_by(|a, b| *a - *b <= APART);
     Ok(all)
 }

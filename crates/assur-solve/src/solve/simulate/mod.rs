@@ -73,7 +73,7 @@ mod ways;
 
 pub use compare::{KINDS, STATES};
 pub use options::{IntegrationOptions, Progress};
-pub use over_time::{OverTime, TimeCourse, over_time};
+pub(crate) use over_time::over_time;
 pub use report::{Energy, Holder, Method, NotByEnergy, On, SimulationReport, SteadyReport};
 pub use trials::{Trial, Trials};
 
