@@ -1,7 +1,6 @@
 //! The mechanism in motion: the scheme of the first frame with how its parts move, as a page or as one picture.
 
 mod arrows;
-mod between;
 mod film;
 mod motion;
 mod moved;
@@ -16,7 +15,7 @@ pub use page::{PLAYER, PLAYER_STYLE, animation};
 pub use smil::moving;
 
 use crate::kind::Options;
-use crate::machine::{Frames, Laid, MOST, frames};
+use crate::machine::{Frames, Laid, frames};
 use crate::paper::Frame;
 use crate::scene::Scene;
 use crate::scheme::{Loads, Motion, Scheme, Traced, asked, captioned, described, frame_of_all, scheme_in};
@@ -118,13 +117,9 @@ impl Drawn {
         scheme
     }
 
-    /// The frames of some places, of which the first is the first.
-    fn schemes(&self, places: impl Iterator<Item = usize>, motion: Motion<'_, '_>) -> Vec<Drawing> {
-        let scheme = |i: usize| match i {
-            0 => self.first(motion),
-            _ => self.scheme(&motion.frames[i], motion),
-        };
-        places.map(scheme).collect()
+    fn schemes(&self, motion: Motion<'_, '_>) -> Vec<Drawing> {
+        let others = motion.frames.iter().skip(1).map(|frame| self.scheme(frame, motion));
+        std::iter::once(self.first(motion)).chain(others).collect()
     }
 }
 
@@ -165,7 +160,8 @@ impl<'a> Animated<'a> {
     ) -> Result<Self, Diagnosis> {
         let (frames, rest) = stage.scenes(scene);
         let drawn = Drawn::of(&frames, stage.frames.closed, options)?;
-        let (schemes, moved) = moving_marks(Motion { rest: &rest, frames: &frames }, &drawn);
+        let schemes = drawn.schemes(Motion { rest: &rest, frames: &frames });
+        let moved = Moved::of(&schemes);
         let paper = (!drawn.in_section).then_some(drawn.frame);
         let mut room = Rect::NOTHING;
         schemes.iter().for_each(|scheme| room.join(&scheme.extent()));
@@ -190,21 +186,4 @@ impl<'a> Animated<'a> {
         }
         Ok(Self { title, frames, sheet, paper, moved, faded })
     }
-}
-
-/// The frames that are drawn, and how what is in them moves through all: of many frames some are drawn where all that moves goes
-/// with links.
-fn moving_marks(motion: Motion<'_, '_>, drawn: &Drawn) -> (Vec<Drawing>, Moved) {
-    let frames = motion.frames;
-    let step = frames.len().div_ceil(MOST);
-    if step > 1 {
-        let some: Vec<usize> = (0..frames.len()).step_by(step).collect();
-        let schemes = drawn.schemes(some.iter().copied(), motion);
-        if let Some(moved) = between::filled(Moved::of(&schemes), frames, &some, &drawn.frame) {
-            return (schemes, moved);
-        }
-    }
-    let schemes = drawn.schemes(0..frames.len(), motion);
-    let moved = Moved::of(&schemes);
-    (schemes, moved)
 }

@@ -15,7 +15,7 @@ use assur_text::diagnostic::Diagnosis;
 use std::f64::consts::TAU;
 
 /// The most frames that are shown where their number is not asked for.
-pub const MOST: usize = 400;
+const MOST: usize = 400;
 /// Frames where the speeds are constant: as many as the fastest wheel needs, which turns by at most this much from one to the next.
 const LEAST: usize = 48;
 const MOST_STEADY: usize = 360;

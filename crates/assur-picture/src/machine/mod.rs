@@ -6,7 +6,7 @@ mod frames;
 mod layout;
 mod rope;
 
-pub use frames::{Frames, MOST, frames};
+pub use frames::{Frames, frames};
 pub use rope::{End, Rope, wound};
 
 use crate::scene::Scene;
