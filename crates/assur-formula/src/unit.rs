@@ -1,12 +1,14 @@
 //! Units of equations.
 
-/// The unit of a quantity: SI, and degrees for angles.
+/// The unit of a quantity: SI, degrees for angles, and millimetres for teeth.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Unit {
     #[default]
     One,
     /// m
     Length,
+    /// mm
+    Millimetre,
     /// m²
     Area,
     /// °
@@ -63,6 +65,7 @@ impl Unit {
         match self {
             Self::One => "",
             Self::Length => "m",
+            Self::Millimetre => "mm",
             Self::MassLength => "kg·m",
             Self::PerLength => "1/m",
             Self::MassPerLength => "kg/m",

@@ -1,10 +1,13 @@
-//! Involute gears: every measure of the table with its formula.
+//! Involute gears: every measure of the table with its formula, lengths in mm.
 
 use super::page::{Page, given};
 use crate::document::text;
 use crate::words::DesignMessage as Message;
 use assur_formula::{Expr, Function, Name, Unit};
 use assur_model::model::{FindKind, Mechanism, Table};
+
+/// Measures that are lengths.
+const LENGTHS: [&str; 14] = ["m", "a", "p", "pb", "c", "d", "da", "df", "db", "dw", "s", "e", "sa", "g"];
 
 /// The values of a table of gears.
 struct Gears<'a> {
@@ -13,9 +16,11 @@ struct Gears<'a> {
 }
 
 impl Gears<'_> {
+    /// A measure: a length in mm, an angle in rad.
     fn value(&self, name: &str, i: usize) -> f64 {
-        let entry = self.table.entries.iter().find(|e| e.name == name);
-        entry.and_then(|e| e.values.get(i)).copied().unwrap_or(f64::NAN)
+        let Some(entry) = self.table.entries.iter().find(|e| e.name == name) else { return f64::NAN };
+        let scale = if LENGTHS.contains(&name) { 1e3 } else { 1.0 };
+        entry.values.get(i).map_or(f64::NAN, |x| scale * x)
     }
 
     /// Letters with the wheel and the mesh where there are several.
@@ -59,6 +64,7 @@ impl Page {
             let mesh = name.trim_start_matches("table(").trim_end_matches(')');
             let several = if tables.len() > 1 { mesh.to_owned() } else { String::new() };
             self.heading(Message::GearsOf, &[vec![text(mesh)]]);
+            self.say(Message::LengthsInMillimetres, &[]);
             self.gear_pair(&Gears { table, name: several });
         }
     }
@@ -82,7 +88,7 @@ impl Page {
         let teeth = Teeth {
             z: [of("z", 0, z[0]), of("z", 1, z[1])],
             x: [of("x", 0, x[0]), of("x", 1, x[1])],
-            module: given(gears.letters("m", ""), m, Unit::Length),
+            module: given(gears.letters("m", ""), m, Unit::Millimetre),
             alpha: given(gears.letters("α", ""), alpha.to_degrees(), Unit::Angle),
             addendum: given(
                 gears.letters("h", "a").marked("*"),
@@ -99,21 +105,26 @@ impl Page {
         let pitch = self.equate(
             gears.letters("p", ""),
             gears.value("p", 0),
-            Unit::Length,
+            Unit::Millimetre,
             Expr::Pi * teeth.module.clone(),
         );
         let base = pitch.clone() * teeth.alpha.clone().cos();
-        let base = self.equate(gears.letters("p", "b"), gears.value("pb", 0), Unit::Length, base);
+        let base = self.equate(gears.letters("p", "b"), gears.value("pb", 0), Unit::Millimetre, base);
         let clearance = teeth.clearance.clone() * teeth.module.clone();
-        self.equate(gears.letters("c", ""), gears.value("c", 0), Unit::Length, clearance);
-        let tips = [0, 1].map(|i| self.wheel(gears, &teeth, &shortened, &pitch, i));
+        self.equate(gears.letters("c", ""), gears.value("c", 0), Unit::Millimetre, clearance);
+        let tips = [0, 1].map(|i| self.wheel(gears, &teeth, (&shortened, &alpha_w), &pitch, i));
+        self.say(Message::MeshOf, &[]);
         let least = Expr::Int(2) * teeth.addendum.clone() / teeth.alpha.clone().sin().squared();
         self.equate(gears.letters("z", "min"), gears.value("z_min", 0), Unit::One, least);
         let [one, two] = [0, 1].map(|i| teeth.z[i].clone() * (tan(&tips[i]) - tan(&alpha_w)));
         let sum = if teeth.internal { one - two } else { one + two };
         let ratio = sum / (Expr::Int(2) * Expr::Pi);
         let ratio = self.equate(gears.letters("ε", ""), gears.value("contact_ratio", 0), Unit::One, ratio);
-        self.equate(gears.letters("g", ""), gears.value("g", 0), Unit::Length, ratio * base);
+        self.equate(gears.letters("g", ""), gears.value("g", 0), Unit::Millimetre, ratio * base);
+        self.say(Message::SlidingOf, &[]);
+        for i in [0, 1] {
+            self.sliding(gears, &teeth, (&tips[1 - i], &alpha_w), i);
+        }
     }
 
     /// The working pressure angle and the centre distance.
@@ -129,7 +140,7 @@ impl Page {
             let a = self.equate(
                 gears.letters("a", ""),
                 gears.value("a", 0),
-                Unit::Length,
+                Unit::Millimetre,
                 plain(Expr::Int(1), Expr::Int(1)),
             );
             return (teeth.alpha.clone(), a);
@@ -140,7 +151,7 @@ impl Page {
         self.say(Message::InvoluteSolved, &[]);
         let angle = self.stated(gears.letters("α", "w"), gears.value("alpha_w", 0).to_degrees(), Unit::Angle);
         let a = plain(teeth.alpha.clone().cos(), angle.clone().cos());
-        let a = self.equate(gears.letters("a", ""), gears.value("a", 0), Unit::Length, a);
+        let a = self.equate(gears.letters("a", ""), gears.value("a", 0), Unit::Millimetre, a);
         (angle, a)
     }
 
@@ -156,8 +167,17 @@ impl Page {
     }
 
     /// The diameters and the tooth of a wheel; its pressure angle at the tip.
-    fn wheel(&mut self, gears: &Gears<'_>, teeth: &Teeth, short: &Expr, pitch: &Expr, i: usize) -> Expr {
+    fn wheel(
+        &mut self,
+        gears: &Gears<'_>,
+        teeth: &Teeth,
+        (short, alpha_w): (&Expr, &Expr),
+        pitch: &Expr,
+        i: usize,
+    ) -> Expr {
         let own = (i + 1).to_string();
+        let count = text(teeth.z[i].value().round().to_string());
+        self.say(Message::WheelOf, &[vec![text(own.clone())], vec![count]]);
         let ring = teeth.internal && i == 1;
         let out = |x: Expr| if ring { -x } else { x };
         let two = || Expr::Int(2) * teeth.module.clone();
@@ -166,7 +186,7 @@ impl Page {
             page.equate(
                 gears.letters(letter, &format!("{sub}{own}")),
                 gears.value(key, i),
-                Unit::Length,
+                Unit::Millimetre,
                 right,
             )
         };
@@ -175,12 +195,34 @@ impl Page {
         let da = length(self, "d", "a", "da", d.clone() + two() * head);
         let foot = out(teeth.addendum.clone() + teeth.clearance.clone()) - x.clone();
         length(self, "d", "f", "df", d.clone() - two() * foot);
-        let db = length(self, "d", "b", "db", d * teeth.alpha.clone().cos());
+        let db = length(self, "d", "b", "db", d.clone() * teeth.alpha.clone().cos());
+        length(self, "d", "w", "dw", db.clone() / alpha_w.clone().cos());
         let more = out(Expr::Int(2) * x.clone() * tan(&teeth.alpha));
         let thick = teeth.module.clone() * (Expr::Pi / Expr::Int(2) + more);
         let s = length(self, "s", "", "s", thick);
-        length(self, "e", "", "e", pitch.clone() - s);
-        let right = (db / da).of(Function::Arccos);
-        self.named(gears.letters("α", &format!("a{own}")), Unit::Angle, right)
+        length(self, "e", "", "e", pitch.clone() - s.clone());
+        let least = teeth.alpha.clone().sin().squared() * teeth.z[i].clone() / Expr::Int(2);
+        if !ring {
+            let least = teeth.addendum.clone() - least;
+            self.equate(gears.letters("x", &format!("min{own}")), gears.value("x_min", i), Unit::One, least);
+        }
+        let right = (db / da.clone()).of(Function::Arccos);
+        let tip = self.named(gears.letters("α", &format!("a{own}")), Unit::Angle, right);
+        let involute = |angle: &Expr| tan(angle) - radians(angle);
+        let bend = out(involute(&teeth.alpha) - involute(&tip));
+        length(self, "s", "a", "sa", da * (s / d + bend));
+        tip
+    }
+
+    /// How much of the speed of its flank a wheel slides by, at the end of the line of contact at its root; with the pressure angle at the tip of
+    /// the other wheel.
+    fn sliding(&mut self, gears: &Gears<'_>, teeth: &Teeth, (tip, alpha_w): (&Expr, &Expr), i: usize) {
+        let [own, other] = [i, 1 - i].map(|i| teeth.z[i].clone());
+        let reach = other * (tan(tip) - tan(alpha_w));
+        let root = own.clone() * tan(alpha_w);
+        let root = if teeth.internal { root + reach } else { root - reach };
+        let right = Expr::Int(1) - own * tan(tip) / root;
+        let name = gears.letters("ζ", &(i + 1).to_string());
+        self.equate(name, gears.value("slip", i), Unit::One, right);
     }
 }

@@ -81,7 +81,7 @@ messages! {
         CycleOf ExtremesOf TimesOf FlywheelOf ReducedTorque FlywheelTable FlywheelExtremes FlywheelInertia
         FlywheelRim CamOf CamStages CamDwell CamOther CamRise CamFall LawUniform LawParabolic LawHarmonic
         LawCycloidal LawPoly345 LawPoly4567 LawModifiedTrapezoid LawModifiedSine LawSpline CamSlopes
-        CamStart CamPressure CamCurvature FaceCurvature FaceLetters GearsOf InvoluteSolved
+        CamStart CamPressure CamCurvature FaceCurvature FaceLetters GearsOf InvoluteSolved LengthsInMillimetres WheelOf SlidingOf MeshOf
     }
 }
 
