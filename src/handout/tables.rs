@@ -7,7 +7,7 @@ use crate::report::{self, AccuracyShown, OF_CYCLE, OF_MOTION, PrintedDigits};
 use assur_drawing::Theme;
 use assur_formula::unit_words;
 use assur_model::model::Mechanism;
-use assur_picture::{Kind, Options, Scene, draw};
+use assur_picture::{Kind, Options, Scene, Subject, draw};
 use assur_text::source::Source;
 use assur_worked::{Block, Figure, Inline, Language, Table, drawing_in, localised, written_in_letters};
 
@@ -36,7 +36,9 @@ pub fn blocks(source: &Source, solved: &Solved, scene: Option<&Scene<'_>>, langu
     let mechanism = &solved.compiled.mechanism;
     let blocks = blocks.into_iter().map(|block| with_letters(block, mechanism, language));
     let mut blocks: Vec<Block> = blocks.collect();
-    for picture in scene.into_iter().flat_map(|scene| PICTURES.map(|kind| pictures(scene, kind, language))) {
+    let subject = scene
+        .map_or_else(|| Subject::without_position(mechanism, &solved.solution, &source.name), Subject::from);
+    for picture in PICTURES.map(|kind| pictures(subject, kind, language)) {
         if !picture.is_empty() {
             blocks.push(Block::Figures(picture));
         }
@@ -166,10 +168,10 @@ fn table(rows: &Rows, most: usize) -> Table {
     }
 }
 
-fn pictures(scene: &Scene<'_>, kind: Kind, language: Language) -> Vec<Figure> {
-    let drawings = draw(kind, scene, &Options::default()).unwrap_or_default().into_iter();
+fn pictures(subject: Subject<'_, '_>, kind: Kind, language: Language) -> Vec<Figure> {
+    let drawings = draw(kind, subject, &Options::default()).unwrap_or_default().into_iter();
     let figure = |drawing: assur_drawing::Drawing| {
-        let drawing = drawing_in(language, scene.mechanism(), drawing);
+        let drawing = drawing_in(language, subject.mechanism, drawing);
         let (name, caption) = (kind.name().to_owned(), drawing.title.clone());
         Figure { svg: drawing.placed().svg(Theme::Auto), name, caption }
     };

@@ -4,7 +4,7 @@ use assur::internals::Solved;
 use assur::internals::check::Overrides;
 use assur::internals::drawing::{Drawing, Obstacle, Rect, Sheet, Style, Theme, touches};
 use assur::internals::model::{Drive, Positions};
-use assur::internals::picture::{KINDS, Kind, Options, Scene, animation, draw};
+use assur::internals::picture::{KINDS, Kind, Options, Place, Scene, animation, draw};
 use assur::internals::pipeline::solve_drawn;
 use assur::internals::solve::{Model, Pose, Solution};
 use assur::internals::source::Source;
@@ -93,7 +93,7 @@ impl<'a> Shown<'a> {
 
     /// Pictures of a kind, of the first position or of all.
     pub fn sheets(&self, kind: Kind, every: bool) -> Vec<(&'a Pose, Sheet)> {
-        let poses = self.poses(every && !kind.is_of_sweep()).into_iter();
+        let poses = self.poses(every && kind.needs().place != Place::Way).into_iter();
         poses.flat_map(|pose| self.drawn(kind, pose).into_iter().map(move |sheet| (pose, sheet))).collect()
     }
 }

@@ -30,12 +30,10 @@ mod words;
 mod work;
 
 pub use animation::{ArrowKind, Film, Moving, PLAYER, PLAYER_STYLE, animation, film, motion, moving};
-pub use cam::cams_alone;
-pub use kind::{KINDS, Kind, Options, draw};
+pub use kind::{KINDS, Kind, Needs, Options, Place, draw};
 pub use paper::Frame;
 pub use paper::{Paper, SCALED, Scaled, Scales};
-pub use scene::Scene;
-pub use scene::reaction_index;
+pub use scene::{Scene, Subject, reaction_index};
 pub use scheme::{Dimension, Loads, Measured, Scheme, scheme, true_size};
 pub use table_plot::{TableAxis, table_plot};
 pub use wording::Wording;

@@ -31,7 +31,7 @@ const APART: f64 = 6.0;
 const LONGEST: usize = 44;
 
 /// A number that is plotted.
-struct Item {
+pub struct Item {
     plain: String,
     name: Text,
     display: Display,
@@ -135,7 +135,7 @@ fn curves(scene: &Scene<'_>, items: &[Item]) -> Result<(Vec<Curve>, Vec<Vec<f64>
 }
 
 /// The numbers among the items of `find`; of a vector both components.
-fn items(scene: &Scene<'_>, which: &[usize]) -> Vec<Item> {
+pub fn items(scene: &Scene<'_>, which: &[usize]) -> Vec<Item> {
     let view = scene.view();
     let mut items = Vec::new();
     for (i, find) in scene.mechanism().finds.iter().enumerate() {

@@ -1,7 +1,7 @@
 //! What a picture shows, in words.
 
 use crate::figures::cleared;
-use crate::scene::Scene;
+use crate::scene::{Scene, Subject};
 use assur_model::model::{LinkId, PairKind, Value};
 use assur_solve::solve::{DriveValue, PoseOrigin};
 
@@ -31,8 +31,7 @@ pub fn drives(scene: &Scene<'_>) -> String {
 
 /// The title of the problem, or the name of its file.
 pub fn title(scene: &Scene<'_>) -> String {
-    let title = &scene.mechanism().title;
-    if title.is_empty() { scene.file.to_owned() } else { title.clone() }
+    Subject::from(scene).title().to_owned()
 }
 
 /// The position in words; nothing where there is one alone and no drive has a value.
@@ -58,9 +57,7 @@ pub fn at_position(scene: &Scene<'_>) -> String {
 
 /// The begin of the ids of a picture.
 pub fn id(scene: &Scene<'_>, kind: &str) -> String {
-    let stem = scene.file.rsplit(['/', '\\']).next().unwrap_or_default();
-    let stem = stem.trim_end_matches(".mech");
-    format!("{kind}-{stem}-{}", scene.pose.name)
+    Subject::from(scene).id(kind)
 }
 
 /// Sentences about links and pairs.

@@ -5,7 +5,7 @@ use super::setting;
 use crate::cli::error::CliError;
 use assur_check::Overrides;
 use assur_drawing::{Scale, Theme};
-use assur_picture::{ArrowKind, KINDS, Kind, Loads, SCALED, Scaled};
+use assur_picture::{ArrowKind, KINDS, Kind, Loads, Place, SCALED, Scaled};
 use clap::ValueEnum;
 
 /// Frames of a GIF or an APNG, its width in pixels, and its time in hundredths of a second.
@@ -18,7 +18,7 @@ const FILM_TIME: u32 = 600;
 pub struct Draw {
     /// Files to draw, and the pictures wanted: `scheme`, `velocities`, `accelerations`, `forces`, `lever`, `axial`,
     /// `friction`, `curvature`, `train`, `plot "omega(rocker), Mb"`, `work`, `fourier`, `internal`, `planes`, `equilibrium`, `cam`, `hodograph rod.S`, `polar B`, `animation`
-    /// [default: scheme]
+    /// [default: the first that the file has: mostly scheme]
     #[arg(required = true, value_name = "FILES PICTURES")]
     pub names: Vec<String>,
     /// Write one picture to this file (.svg, .png, .pdf, .gif, .apng, .dxf, .tikz, .tex), all to this page (.html), or to files in this folder
@@ -109,12 +109,22 @@ impl Draw {
             }
         }
         if self.all {
-            pictures = KINDS.into_iter().map(|kind| Picture { kind, of: String::new() }).collect();
+            pictures = KINDS.into_iter().map(Picture::from).collect();
         }
         if pictures.is_empty() {
-            pictures.push(Picture { kind: Kind::Scheme, of: String::new() });
+            pictures.push(Kind::Scheme.into());
         }
         (pictures, files)
+    }
+
+    /// How pictures are chosen.
+    #[must_use]
+    pub fn choice(&self) -> Choice {
+        match self.names.iter().any(|name| Kind::named(name).is_some()) {
+            _ if self.all => Choice::All,
+            true => Choice::Named,
+            false => Choice::First,
+        }
     }
 
     /// The first option that changes no picture that is wanted.
@@ -152,7 +162,8 @@ impl Draw {
             let is_none = self.numbers && self.loads == LoadsArg::None;
             is_none.then(|| CliError::NoEffect { option: "--numbers".to_owned(), help })
         };
-        let of_pose = || of("--pose", &|kind| !kind.is_of_sweep()).filter(|_| !self.pose.is_empty());
+        let of_pose =
+            || of("--pose", &|kind| kind.needs().place != Place::Way).filter(|_| !self.pose.is_empty());
         let of_size = || of("--size", &Kind::has_size).filter(|_| self.size.is_some());
         of_scheme()
             .or_else(of_pose)
@@ -185,6 +196,22 @@ impl Draw {
     #[must_use]
     pub fn overrides(&self) -> Overrides {
         Overrides::set(self.settings.clone())
+    }
+}
+
+/// How pictures are chosen.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Choice {
+    Named,
+    /// All that a file has.
+    All,
+    /// The first that it has: the scheme, where it has a position.
+    First,
+}
+
+impl From<Kind> for Picture {
+    fn from(kind: Kind) -> Self {
+        Self { kind, of: String::new() }
     }
 }
 

@@ -3,19 +3,21 @@
 use super::{Drawing, output};
 #[cfg(feature = "gif")]
 use crate::cli::args::DrawFormat;
+use crate::cli::args::{Choice, Picture};
+use crate::cli::error::CliError;
 use crate::cli::variant_rows::ChosenRow;
-use crate::cli::{args::Picture, error::CliError};
 use crate::pipeline::{self, Solved};
 use assur_check::Overrides;
 use assur_drawing::Theme;
 use assur_math::math::Vec2;
 use assur_model::model::{Mechanism, Positions};
-use assur_picture::{Kind, Options, Scales, Scene, Scheme};
+use assur_picture::{Kind, Options, Place, Scales, Scene, Scheme, Subject};
 use assur_solve::solve::{Pose, PoseOrigin};
 use assur_syntax::document::Document;
 use assur_text::diagnostic::{Diagnosis, Problems};
 use assur_text::source::Source;
 use assur_worked::{Language, drawing_in, phrase};
+use std::borrow::Cow;
 
 /// A picture as text, with the name of its file.
 pub struct Page {
@@ -52,22 +54,28 @@ struct Ways {
 
 impl Pages<'_, '_> {
     pub fn all(&self, problems: &mut Problems) -> Vec<Page> {
-        let pictures = &self.drawing.pictures;
-        let of_cams = |picture: &Picture| picture.kind == Kind::Cam;
-        if self.solved.solution.poses.is_empty() && pictures.iter().all(of_cams) {
-            return self.cams(problems);
+        let mut found = Problems::new();
+        let scenes = self.scenes(&mut found);
+        let pictures = self.pictures(scenes.first());
+        if pictures.is_empty() || pictures.iter().any(|picture| picture.kind.needs().place != Place::Any) {
+            problems.append(found);
         }
-        let ways = self.ways();
-        let scenes = self.scenes(problems);
+        let ways = self.ways(&pictures);
         let (mut pages, mut lacking) = (Vec::new(), Vec::new());
-        for picture in pictures {
+        for picture in &*pictures {
             let plotted = items(self.source, &self.solved.compiled.mechanism, &picture.of);
             let options = Options { plotted, of: picture.of.clone(), arrows: ways.arrows, ..self.options() };
-            let shown = if picture.kind.is_of_sweep() { 1 } else { scenes.len() };
-            for scene in &scenes[..shown.min(scenes.len())] {
-                let turn = if picture.kind == Kind::Animation { &ways.frames } else { &ways.turn };
-                let name = self.name(picture, scene, scenes.len() > 1);
-                match self.drawn(picture.kind, &Scene { turn, ..*scene }, &options, &name) {
+            let turn = if picture.kind == Kind::Animation { &ways.frames } else { &ways.turn };
+            let mut shown: Vec<Option<&Scene<'_>>> = scenes.iter().map(Some).collect();
+            match picture.kind.needs().place {
+                Place::Way => shown.truncate(1),
+                Place::Any if shown.is_empty() => shown.push(None),
+                Place::Any | Place::Pose => {}
+            }
+            for scene in shown {
+                let name = self.name(picture, scene.filter(|_| scenes.len() > 1));
+                let scene = scene.map(|scene| Scene { turn, ..*scene });
+                match self.drawn(picture.kind, &self.subject(scene.as_ref()), &options, &name) {
                     Ok(drawn) => pages.extend(drawn),
                     // of all kinds those are left out that the file has no effects for
                     Err(_) if self.drawing.args.all => {}
@@ -82,13 +90,38 @@ impl Pages<'_, '_> {
                 }
             }
         }
+        if scenes.is_empty() && self.drawing.args.choice() == Choice::First && self.drawing.output.is_single()
+        {
+            // a cam has two
+            pages.truncate(1);
+        }
         pages
     }
 
-    fn ways(&self) -> Ways {
+    /// What is drawn, at a position or without one.
+    fn subject<'s>(&'s self, scene: Option<&'s Scene<'s>>) -> Subject<'s, 's> {
+        let Solved { compiled, solution, .. } = self.solved;
+        scene.map_or_else(
+            || Subject::without_position(&compiled.mechanism, solution, &self.source.name),
+            Subject::from,
+        )
+    }
+
+    /// The pictures that are wanted: where none is named all that the file has, or the first.
+    fn pictures<'s>(&'s self, scene: Option<&'s Scene<'s>>) -> Cow<'s, [Picture]> {
+        let subject = self.subject(scene);
+        let kinds = match self.drawing.args.choice() {
+            Choice::Named => return Cow::Borrowed(&self.drawing.pictures),
+            Choice::All => subject.kinds(),
+            Choice::First => subject.first_kind().into_iter().collect(),
+        };
+        kinds.into_iter().map(Picture::from).collect()
+    }
+
+    fn ways(&self, pictures: &[Picture]) -> Ways {
         let args = self.drawing.args;
         let (compiled, solution) = (&self.solved.compiled, &self.solved.solution);
-        let animated = self.drawing.pictures.iter().any(|picture| picture.kind == Kind::Animation);
+        let animated = pictures.iter().any(|picture| picture.kind == Kind::Animation);
         let traced = args.ghosts > 0 || !args.path.is_empty();
         let turn = if traced { pipeline::turn(compiled, solution) } else { Vec::new() };
         let (frames, arrows) = match self.frames() {
@@ -126,12 +159,12 @@ impl Pages<'_, '_> {
     }
 
     /// The name of the file of a picture.
-    fn name(&self, picture: &Picture, scene: &Scene<'_>, of_several: bool) -> String {
+    fn name(&self, picture: &Picture, of_several: Option<&Scene<'_>>) -> String {
         let mut name = format!("{}-{}", self.stem(), picture.kind.name());
         if !picture.of.is_empty() {
             name += &format!("-{}", picture.of);
         }
-        if of_several && !picture.kind.is_of_sweep() {
+        if let Some(scene) = of_several.filter(|_| picture.kind.needs().place != Place::Way) {
             name += &format!("-{}", scene.pose.name);
         }
         output::file_name(&name)
@@ -141,10 +174,13 @@ impl Pages<'_, '_> {
     fn drawn(
         &self,
         kind: Kind,
-        scene: &Scene<'_>,
+        subject: &Subject<'_, '_>,
         options: &Options,
         name: &str,
     ) -> Result<Vec<Page>, Diagnosis> {
+        let Some(scene) = subject.scene else {
+            return Ok(self.numbered(name, assur_picture::draw(kind, *subject, options)?));
+        };
         #[cfg(feature = "gif")]
         if self.drawing.output.format().is_some_and(DrawFormat::is_film) {
             return Ok(vec![self.film(scene, options, name)?]);
@@ -187,18 +223,6 @@ impl Pages<'_, '_> {
         let film = assur_picture::film(scene, options, theme, &self.language())?;
         let ending = self.drawing.output.format().map_or("", DrawFormat::ending).trim_start_matches('.');
         Ok(Page { film: Some(film), ..self.page(name.to_owned(), String::new(), ending) })
-    }
-
-    /// The cams of a file that has no position.
-    fn cams(&self, problems: &mut Problems) -> Vec<Page> {
-        let mechanism: &Mechanism = &self.solved.compiled.mechanism;
-        match assur_picture::cams_alone(mechanism, &self.source.name, &self.options().scheme.paper()) {
-            Ok(drawings) => self.numbered(&output::file_name(&format!("{}-cam", self.stem())), drawings),
-            Err(missing) => {
-                problems.push(missing);
-                Vec::new()
-            }
-        }
     }
 
     fn language(&self) -> Language {
@@ -248,7 +272,9 @@ impl Pages<'_, '_> {
         let of = |name: Option<&str>| Scene::of(solved.compiled.model(), &solved.solution, file, name);
         let listed = if named.is_empty() { listed(solved) } else { Vec::new() };
         let drawn = if self.drawing.output.is_single() { listed.len().min(1) } else { listed.len() };
-        if drawn < listed.len() && !self.drawing.pictures.iter().all(|picture| picture.kind.is_of_sweep()) {
+        if drawn < listed.len()
+            && !self.drawing.pictures.iter().all(|picture| picture.kind.needs().place == Place::Way)
+        {
             let (first, count) = (listed[0].to_owned(), listed.len());
             problems.push(CliError::FirstPose { first, count });
         }

@@ -37,11 +37,11 @@ const ON_BAR: f64 = 0.3;
 /// Powers less than this part of the greatest there could be are none.
 const DEAD: f64 = 1e-12;
 
-/// The lever at a position.
+/// The images of a file that has a lever.
 ///
 /// # Errors
 /// There are no velocities, no forces, or no link has a place.
-pub fn lever(scene: &Scene<'_>, paper: &Paper) -> Result<Drawing, Diagnosis> {
+pub fn levered(scene: &Scene<'_>) -> Result<Nodes, Diagnosis> {
     if !scene.model.plan.effects.moving {
         return Err(error::no_speed(scene, "velocities"));
     }
@@ -62,6 +62,15 @@ pub fn lever(scene: &Scene<'_>, paper: &Paper) -> Result<Drawing, Diagnosis> {
     if nodes.nodes.is_empty() {
         return Err(error::nothing_placed(scene, "the lever is a plan of velocities"));
     }
+    Ok(nodes)
+}
+
+/// The lever at a position.
+///
+/// # Errors
+/// It has none, or too many forces to be read.
+pub fn lever(scene: &Scene<'_>, paper: &Paper) -> Result<Drawing, Diagnosis> {
+    let nodes = levered(scene)?;
     let terms = powers::terms(scene);
     let mut forces: Vec<&Force> = terms.iter().flat_map(|term| &term.forces).collect();
     let most = forces.iter().map(|f| f.force.norm()).fold(0.0, f64::max);

@@ -4,9 +4,9 @@ mod acceleration;
 mod nodes;
 mod velocity;
 
-pub use acceleration::accelerations;
+pub use acceleration::{accelerations, with_accelerations};
 pub use nodes::{Nodes, acceleration as acceleration_at, velocity as velocity_at};
-pub use velocity::velocities;
+pub use velocity::{velocities, with_velocities};
 
 use crate::figures::plain;
 use crate::paper::{Frame, Paper, Scaled};
