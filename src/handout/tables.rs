@@ -4,12 +4,14 @@
 use crate::pipeline::Solved;
 use crate::report::document::{Align, Block as Printed, Section, Table as Rows};
 use crate::report::{self, AccuracyShown, OF_CYCLE, OF_MOTION, PrintedDigits};
-use assur_drawing::Theme;
+use assur_drawing::{Drawing, Theme};
 use assur_formula::unit_words;
 use assur_model::model::Mechanism;
-use assur_picture::{Kind, Options, Scene, Subject, draw};
+use assur_picture::{Kind, Options, Scene, Subject};
 use assur_text::source::Source;
-use assur_worked::{Block, Figure, Inline, Language, Table, drawing_in, localised, written_in_letters};
+use assur_worked::{
+    Block, Figure, Inline, Language, Table, drawing_in, drawn_for_paper, localised, written_in_letters,
+};
 
 /// The most rows of a table that are printed; of longer ones some over all of it.
 const ROWS: usize = 37;
@@ -169,8 +171,8 @@ fn table(rows: &Rows, most: usize) -> Table {
 }
 
 fn pictures(subject: Subject<'_, '_>, kind: Kind, language: Language) -> Vec<Figure> {
-    let drawings = draw(kind, subject, &Options::default()).unwrap_or_default().into_iter();
-    let figure = |drawing: assur_drawing::Drawing| {
+    let drawings = drawn_for_paper(kind, subject, &Options::default()).into_iter();
+    let figure = |drawing: Drawing| {
         let drawing = drawing_in(language, subject.mechanism, drawing);
         let (name, caption) = (kind.name().to_owned(), drawing.title.clone());
         Figure { svg: drawing.placed().svg(Theme::Auto), name, caption }

@@ -27,6 +27,7 @@ mod read_back;
 mod scenes;
 #[path = "../share/mod.rs"]
 mod share;
+mod sheets;
 mod trains;
 mod without_script;
 mod xml;

@@ -29,7 +29,7 @@ pub struct Draw {
     /// [default: that of the ending of OUT, else svg]
     #[arg(long, value_enum, value_name = "FORMAT")]
     pub format: Option<DrawFormat>,
-    /// Draw the pose of this name; may be repeated [default: all of a list, the first of a sweep]
+    /// Draw the pose of this name; may be repeated [default: all of a list, the first and the last of a motion under loads, the first of a sweep]
     #[arg(long, value_name = "NAME")]
     pub pose: Vec<String>,
     /// Draw this number of other poses pale behind the scheme

@@ -23,7 +23,7 @@ use std::borrow::Cow;
 pub struct Page {
     /// Of its file, without its ending.
     pub name: String,
-    /// The folder of the file that is drawn.
+    /// The folder of the file that is drawn, as a title.
     pub chapter: String,
     pub text: String,
     pub ending: &'static str,
@@ -153,7 +153,7 @@ impl Pages<'_, '_> {
             scheme.dimensions = pipeline::dimensions(self.document, &self.solved.compiled.mechanism);
         }
         if let Some((width, height)) = args.size {
-            scheme.size = Vec2::new(width, height);
+            (scheme.size, scheme.grows) = (Vec2::new(width, height), false);
         }
         Options { scheme, frames: self.frames(), shown: args.arrows.map(Into::into), ..Options::default() }
     }
@@ -236,10 +236,13 @@ impl Pages<'_, '_> {
         if self.row.name.is_empty() { stem } else { format!("{stem}-row-{}", self.row.name) }
     }
 
-    /// The folder of the file, without the way to it.
+    /// The folder of the file as a title: `Mass substitution` of `mass-substitution`.
     fn chapter(&self) -> String {
         let mut folders = self.source.name.rsplit(['/', '\\']).skip(1);
-        folders.next().filter(|folder| !matches!(*folder, "." | "..")).unwrap_or_default().to_owned()
+        let folder = folders.next().filter(|folder| !matches!(*folder, "." | "..")).unwrap_or_default();
+        let mut letters = folder.chars().map(|c| if matches!(c, '-' | '_') { ' ' } else { c });
+        letters.next().into_iter().flat_map(char::to_uppercase).collect::<String>()
+            + &letters.collect::<String>()
     }
 
     /// Pictures of one kind and one position as text, numbered where there are several.
@@ -378,7 +381,8 @@ fn parts(list: &str) -> Vec<&str> {
 
 // The positions that are drawn where none is named.
 
-/// The names of the solved poses of a list, those of `pose` with them; none where a drive goes through a range.
+/// The names of the solved poses of a list, those of `pose` with them; of a motion under loads the first and the last. None where a
+/// drive goes through a range.
 pub fn listed(solved: &Solved) -> Vec<&str> {
     let drives = &solved.compiled.mechanism.drives;
     if drives.iter().any(|drive| matches!(drive.positions, Positions::Range { .. })) {
@@ -386,5 +390,9 @@ pub fn listed(solved: &Solved) -> Vec<&str> {
     }
     let asked = |origin: PoseOrigin| !matches!(origin, PoseOrigin::Expected(_));
     let poses = solved.solution.poses.iter().filter(|pose| asked(pose.origin) && pose.outcome.is_ok());
-    poses.map(|pose| pose.name.as_str()).collect()
+    let mut names: Vec<&str> = poses.map(|pose| pose.name.as_str()).collect();
+    if solved.compiled.mechanism.simulation.is_some() && names.len() > 2 {
+        names.drain(1..names.len() - 1);
+    }
+    names
 }
