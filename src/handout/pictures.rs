@@ -3,7 +3,7 @@
 use crate::pipeline::{self, Solved};
 use assur_check::Overrides;
 use assur_drawing::{Drawing, Theme};
-use assur_picture::{ArrowKind, Kind, Moving, Options, Place, Scene, Subject};
+use assur_picture::{ArrowKind, Kind, Moving, Options, Scene, Subject};
 use assur_syntax::document::Document;
 use assur_text::diagnostic::{Diagnosis, Problems};
 use assur_text::source::Source;
@@ -35,7 +35,7 @@ impl Pictured<'_> {
     pub fn drawn(&self, solved: &Solved, kind: Kind, pose: Option<&str>) -> Result<Vec<String>, Diagnosis> {
         let options = Options::default();
         let scene = match self.scene(solved, pose) {
-            Err(_) if kind.needs().place == Place::Any => {
+            Err(_) if !kind.needs().place.is_needed() => {
                 return Ok(
                     self.svg(solved, assur_picture::draw(kind, self.without_position(solved), &options)?)
                 );

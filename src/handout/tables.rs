@@ -40,7 +40,8 @@ pub fn blocks(source: &Source, solved: &Solved, scene: Option<&Scene<'_>>, langu
     let mut blocks: Vec<Block> = blocks.collect();
     let subject = scene
         .map_or_else(|| Subject::without_position(mechanism, &solved.solution, &source.name), Subject::from);
-    for picture in PICTURES.map(|kind| pictures(subject, kind, language)) {
+    let designs: &[Kind] = if scene.is_none() { &[Kind::Gears, Kind::Elements] } else { &[] };
+    for picture in PICTURES.iter().chain(designs).map(|kind| pictures(subject, *kind, language)) {
         if !picture.is_empty() {
             blocks.push(Block::Figures(picture));
         }

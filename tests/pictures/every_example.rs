@@ -1,7 +1,7 @@
 //! Every picture of every example.
 
 use crate::bars::Tally;
-use crate::drawn::{Shown, faults, moving, solved};
+use crate::drawn::{Shown, faults, moving, sheets, solved};
 use assur::internals::picture::{KINDS, Kind, Options, Scene, Subject, draw};
 use std::path::Path;
 
@@ -73,4 +73,23 @@ fn kinds_are_known_without_drawing() {
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
     assert!(count > 1000, "{count} pictures");
+}
+
+#[test]
+fn every_example_has_a_picture() {
+    let mut wrong = Vec::new();
+    for (name, text) in examples() {
+        let Some((source, solved)) = solved(&name, &text) else { continue };
+        let has = KINDS.into_iter().any(|kind| !sheets(&source, &solved, kind).is_empty());
+        if !has {
+            wrong.push(format!("{name}: no picture"));
+        }
+        // those with positions are judged above
+        for kind in [Kind::Cam, Kind::Gears, Kind::Elements] {
+            for sheet in sheets(&source, &solved, kind) {
+                wrong.extend(faults(&sheet).into_iter().map(|fault| format!("{name}: {fault}")));
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }

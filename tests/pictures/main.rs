@@ -16,6 +16,7 @@ mod extreme;
 mod film;
 mod frames;
 mod freed;
+mod gears;
 mod leaders;
 mod looks;
 mod mutated;

@@ -2,10 +2,12 @@
 
 use crate::animation::{ArrowKind, still};
 use crate::cam::cams;
+use crate::elements::elements;
 use crate::equilibrium::equilibrium;
 use crate::error;
 use crate::forces::{self, forces, friction, frictions, lever};
 use crate::fourier::{all_series, fourier};
+use crate::gears::gears;
 use crate::hodograph::{hodographs, points_asked, polars, reactions_asked};
 use crate::internal::internal;
 use crate::motion::{self, accelerations, velocities};
@@ -53,6 +55,10 @@ pub enum Kind {
     Equilibrium,
     /// Profile and motion of designed cams.
     Cam,
+    /// Wheels in mesh with their teeth.
+    Gears,
+    /// Bearings, belts and screws of formulas.
+    Elements,
     /// Velocities of a point over the sweep.
     Hodograph,
     /// Reactions in a pair over the sweep.
@@ -61,7 +67,7 @@ pub enum Kind {
     Animation,
 }
 
-pub const KINDS: [Kind; 19] = [
+pub const KINDS: [Kind; 21] = [
     Kind::Scheme,
     Kind::Velocities,
     Kind::Accelerations,
@@ -78,6 +84,8 @@ pub const KINDS: [Kind; 19] = [
     Kind::Planes,
     Kind::Equilibrium,
     Kind::Cam,
+    Kind::Gears,
+    Kind::Elements,
     Kind::Hodograph,
     Kind::Polar,
     Kind::Animation,
@@ -120,6 +128,8 @@ impl Kind {
             Self::Planes => "planes",
             Self::Equilibrium => "equilibrium",
             Self::Cam => "cam",
+            Self::Gears => "gears",
+            Self::Elements => "elements",
             Self::Hodograph => "hodograph",
             Self::Polar => "polar",
             Self::Animation => "animation",
@@ -131,6 +141,7 @@ impl Kind {
     pub const fn needs(self) -> Needs {
         let (place, level, forces) = match self {
             Self::Cam => (Place::Any, Level::Positions, false),
+            Self::Gears | Self::Elements => (Place::File, Level::Positions, false),
             Self::Scheme | Self::Curvature | Self::Train | Self::Planes | Self::Equilibrium => {
                 (Place::Pose, Level::Positions, false)
             }
@@ -160,6 +171,7 @@ impl Kind {
                         | Self::Curvature
                         | Self::Friction
                         | Self::Cam
+                        | Self::Gears
                         | Self::Animation
                 )
             }
@@ -181,6 +193,7 @@ impl Kind {
                 | Self::Internal
                 | Self::Planes
                 | Self::Equilibrium
+                | Self::Elements
         )
     }
 
@@ -210,12 +223,28 @@ pub struct Needs {
 /// The positions that a picture shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Place {
+    /// None.
+    File,
     /// One, where there is one: cams are drawn as they are designed else.
     Any,
     /// One.
     Pose,
     /// The whole sweep, once.
     Way,
+}
+
+impl Place {
+    /// Whether there is no picture without one.
+    #[must_use]
+    pub const fn is_needed(self) -> bool {
+        matches!(self, Self::Pose | Self::Way)
+    }
+
+    /// Whether each position has its own picture.
+    #[must_use]
+    pub const fn is_of_position(self) -> bool {
+        matches!(self, Self::Any | Self::Pose)
+    }
 }
 
 impl Subject<'_, '_> {
@@ -233,7 +262,13 @@ impl Subject<'_, '_> {
 
     fn has(&self, kind: Kind) -> bool {
         let mechanism = self.mechanism;
-        let Some(scene) = self.scene else { return kind == Kind::Cam && !mechanism.cams.is_empty() };
+        match kind {
+            Kind::Cam => return !mechanism.cams.is_empty(),
+            Kind::Gears => return !mechanism.gears.is_empty(),
+            Kind::Elements => return !mechanism.formulas.is_empty(),
+            _ => {}
+        }
+        let Some(scene) = self.scene else { return false };
         let is_swept = || courses(&scene.model, &scene.solution.statics, &[]).is_ok();
         match kind {
             Kind::Scheme | Kind::Animation => true,
@@ -251,7 +286,7 @@ impl Subject<'_, '_> {
             Kind::Internal => !mechanism.asked_inside().is_empty(),
             Kind::Planes => rotors(scene).next().is_some(),
             Kind::Equilibrium => mechanism.equilibria.first().is_some_and(|found| found.sought.is_some()),
-            Kind::Cam => !mechanism.cams.is_empty(),
+            Kind::Cam | Kind::Gears | Kind::Elements => true,
             Kind::Hodograph => points_asked(scene).is_ok_and(|all| !all.is_empty()) && is_swept(),
             Kind::Polar => reactions_asked(scene).is_ok_and(|all| !all.is_empty()) && is_swept(),
         }
@@ -268,8 +303,11 @@ pub fn draw<'s, 'a: 's>(
     options: &Options,
 ) -> Result<Vec<Drawing>, Diagnosis> {
     let (subject, paper) = (of.into(), &options.scheme.paper());
-    if kind == Kind::Cam {
-        return cams(&subject, paper);
+    match kind {
+        Kind::Cam => return cams(&subject, paper),
+        Kind::Gears => return gears(&subject, paper),
+        Kind::Elements => return elements(&subject),
+        _ => {}
     }
     let Some(scene) = subject.scene else { return Err(error::no_position(&subject, None)) };
     match kind {
@@ -291,7 +329,7 @@ pub fn draw<'s, 'a: 's>(
         Kind::Lever => lever(scene, paper).map(|lever| vec![lever]),
         Kind::Axial => axial(scene, &options.scheme).map(|bars| vec![bars]),
         Kind::Curvature => curvature(scene, &options.scheme).map(|circles| vec![circles]),
-        Kind::Cam => Ok(Vec::new()),
+        Kind::Cam | Kind::Gears | Kind::Elements => Ok(Vec::new()),
     }
 }
 

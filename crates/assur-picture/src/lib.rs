@@ -3,11 +3,13 @@
 mod animation;
 mod cam;
 mod diagram;
+mod elements;
 mod equilibrium;
 mod error;
 mod figures;
 mod forces;
 mod fourier;
+mod gears;
 mod hodograph;
 mod inset;
 mod internal;

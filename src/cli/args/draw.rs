@@ -5,7 +5,7 @@ use super::setting;
 use crate::cli::error::CliError;
 use assur_check::Overrides;
 use assur_drawing::{Scale, Theme};
-use assur_picture::{ArrowKind, KINDS, Kind, Loads, Place, SCALED, Scaled};
+use assur_picture::{ArrowKind, KINDS, Kind, Loads, SCALED, Scaled};
 use clap::ValueEnum;
 
 /// Frames of a GIF or an APNG, its width in pixels, and its time in hundredths of a second.
@@ -17,7 +17,7 @@ const FILM_TIME: u32 = 600;
 #[derive(Clone, Debug, clap::Args)]
 pub struct Draw {
     /// Files to draw, and the pictures wanted: `scheme`, `velocities`, `accelerations`, `forces`, `lever`, `axial`,
-    /// `friction`, `curvature`, `train`, `plot "omega(rocker), Mb"`, `work`, `fourier`, `internal`, `planes`, `equilibrium`, `cam`, `hodograph rod.S`, `polar B`, `animation`
+    /// `friction`, `curvature`, `train`, `plot "omega(rocker), Mb"`, `work`, `fourier`, `internal`, `planes`, `equilibrium`, `cam`, `gears`, `elements`, `hodograph rod.S`, `polar B`, `animation`
     /// [default: the first that the file has: mostly scheme]
     #[arg(required = true, value_name = "FILES PICTURES")]
     pub names: Vec<String>,
@@ -163,7 +163,7 @@ impl Draw {
             is_none.then(|| CliError::NoEffect { option: "--numbers".to_owned(), help })
         };
         let of_pose =
-            || of("--pose", &|kind| kind.needs().place != Place::Way).filter(|_| !self.pose.is_empty());
+            || of("--pose", &|kind| kind.needs().place.is_of_position()).filter(|_| !self.pose.is_empty());
         let of_size = || of("--size", &Kind::has_size).filter(|_| self.size.is_some());
         of_scheme()
             .or_else(of_pose)

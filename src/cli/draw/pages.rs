@@ -57,7 +57,7 @@ impl Pages<'_, '_> {
         let mut found = Problems::new();
         let scenes = self.scenes(&mut found);
         let pictures = self.pictures(scenes.first());
-        if pictures.is_empty() || pictures.iter().any(|picture| picture.kind.needs().place != Place::Any) {
+        if pictures.is_empty() || pictures.iter().any(|picture| picture.kind.needs().place.is_needed()) {
             problems.append(found);
         }
         let ways = self.ways(&pictures);
@@ -68,6 +68,7 @@ impl Pages<'_, '_> {
             let turn = if picture.kind == Kind::Animation { &ways.frames } else { &ways.turn };
             let mut shown: Vec<Option<&Scene<'_>>> = scenes.iter().map(Some).collect();
             match picture.kind.needs().place {
+                Place::File => shown = vec![None],
                 Place::Way => shown.truncate(1),
                 Place::Any if shown.is_empty() => shown.push(None),
                 Place::Any | Place::Pose => {}
@@ -164,7 +165,7 @@ impl Pages<'_, '_> {
         if !picture.of.is_empty() {
             name += &format!("-{}", picture.of);
         }
-        if let Some(scene) = of_several.filter(|_| picture.kind.needs().place != Place::Way) {
+        if let Some(scene) = of_several.filter(|_| picture.kind.needs().place.is_of_position()) {
             name += &format!("-{}", scene.pose.name);
         }
         output::file_name(&name)
@@ -276,7 +277,7 @@ impl Pages<'_, '_> {
         let listed = if named.is_empty() { listed(solved) } else { Vec::new() };
         let drawn = if self.drawing.output.is_single() { listed.len().min(1) } else { listed.len() };
         if drawn < listed.len()
-            && !self.drawing.pictures.iter().all(|picture| picture.kind.needs().place == Place::Way)
+            && self.drawing.pictures.iter().any(|picture| picture.kind.needs().place.is_of_position())
         {
             let (first, count) = (listed[0].to_owned(), listed.len());
             problems.push(CliError::FirstPose { first, count });

@@ -87,7 +87,7 @@ pub fn lever(scene: &Scene<'_>, paper: &Paper) -> Result<Drawing, Diagnosis> {
     bounds.add(Vec2::zero());
     nodes.nodes.iter().for_each(|n| bounds.add(turned(scene, n.velocity(scene))));
     forces.iter().for_each(|f| bounds.add(image(scene, f.on, f.at)));
-    nodes.others(scene).into_iter().for_each(|(link, _, at)| bounds.add(image(scene, link, at)));
+    nodes.others(scene).for_each(|(link, _, at)| bounds.add(image(scene, link, at)));
     let arms = || terms.iter().flat_map(|term| &term.arms);
     arms().for_each(|(link, arm)| arm.iter().for_each(|at| bounds.add(image(scene, *link, *at))));
     let frame = roomy(scene, &forces, &bounds, paper)?;
