@@ -57,7 +57,7 @@ fn wrong(gears: &Gears, sheet: &Sheet) -> Vec<String> {
         })
         .collect();
     let pitch = axes[0] + Vec2::new(0.5 * pair.gears[0].dw / unit, 0.0);
-    let line = Vec2::new(pair.alpha_w.sin(), -pair.alpha_w.cos());
+    let line = Vec2::direction(pair.alpha_w - std::f64::consts::FRAC_PI_2);
     let [to, from] = [pair.gears[0].approach, -pair.gears[1].approach];
     // flanks touch where the line of action is cut, a base pitch apart, and their normal is that line: through the pitch point
     for step in -3..=3 {

@@ -39,3 +39,4 @@ pub use scene::{Scene, Subject, reaction_index};
 pub use scheme::{Dimension, Loads, Measured, Scheme, scheme, true_size};
 pub use table_plot::{TableAxis, table_plot};
 pub use wording::Wording;
+pub use words::{drive_letter, drive_words};
