@@ -9,7 +9,7 @@ mod report;
 
 pub use command::Command;
 pub use course::{Course, PictureArg, Platform};
-pub use draw::{Draw, DrawFormat, Hundredths, LoadsArg, Picture, ThemeArg};
+pub use draw::{Choice, Draw, DrawFormat, Hundredths, LoadsArg, Picture, ThemeArg};
 pub use format::{COLUMNS, DRAWINGS, Format, STREAMS, TABLES};
 pub use pages::Batch;
 pub use pages::Fmt;

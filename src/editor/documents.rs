@@ -116,14 +116,15 @@ fn one_of<T: Copy>(what: &str, name: &str, all: &[(&str, T)]) -> Result<T, Strin
 }
 
 impl Analysis {
-    /// The scheme at a position.
+    /// The scheme at a position, or the first picture of a text without one.
     ///
     /// # Errors
     /// There is no such position, in words.
     pub fn picture(&self, results: &Results, wish: &Wish) -> Result<Picture, String> {
         let solved = solution(results)?;
         let none = Overrides::none();
-        let drawn = self.pictured(&none, wish.language()?).drawn(solved, Kind::Scheme, wish.pose(solved));
+        let pictured = self.pictured(&none, wish.language()?);
+        let drawn = pictured.drawn(solved, pictured.first_kind(solved), wish.pose(solved));
         let poses = solved.solution.poses.iter().filter(|pose| pose.outcome.is_ok());
         Ok(Picture {
             svg: drawn.map_err(in_words)?.concat(),

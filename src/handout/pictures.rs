@@ -3,7 +3,7 @@
 use crate::pipeline::{self, Solved};
 use assur_check::Overrides;
 use assur_drawing::{Drawing, Theme};
-use assur_picture::{ArrowKind, KINDS, Kind, Moving, Options, Scene};
+use assur_picture::{ArrowKind, Kind, Moving, Options, Scene, Subject};
 use assur_syntax::document::Document;
 use assur_text::diagnostic::{Diagnosis, Problems};
 use assur_text::source::Source;
@@ -33,13 +33,15 @@ impl Pictured<'_> {
     /// # Errors
     /// Why there is no such picture.
     pub fn drawn(&self, solved: &Solved, kind: Kind, pose: Option<&str>) -> Result<Vec<String>, Diagnosis> {
-        let (file, options) = (&self.source.name, Options::default());
-        if solved.solution.poses.is_empty() && kind == Kind::Cam {
-            let mechanism = &solved.compiled.mechanism;
-            let cams = assur_picture::cams_alone(mechanism, file, &options.scheme.paper())?;
-            return Ok(self.svg(solved, cams));
-        }
-        let scene = self.scene(solved, pose)?;
+        let options = Options::default();
+        let scene = match self.scene(solved, pose) {
+            Err(_) if !kind.needs().place.is_needed() => {
+                return Ok(
+                    self.svg(solved, assur_picture::draw(kind, self.without_position(solved), &options)?)
+                );
+            }
+            scene => scene?,
+        };
         if kind != Kind::Animation {
             return Ok(self.svg(solved, assur_picture::draw(kind, &scene, &options)?));
         }
@@ -50,8 +52,15 @@ impl Pictured<'_> {
 
     /// The kinds of which there are pictures, without the animation.
     pub fn kinds(&self, solved: &Solved) -> Vec<Kind> {
-        let is_there = |kind: &Kind| *kind != Kind::Animation && self.drawn(solved, *kind, None).is_ok();
-        KINDS.into_iter().filter(is_there).collect()
+        let scene = self.scene(solved, None);
+        let mut kinds = scene.as_ref().map_or_else(|_| self.without_position(solved), Subject::from).kinds();
+        kinds.retain(|kind| *kind != Kind::Animation);
+        kinds
+    }
+
+    /// The kind that is drawn where none is named; the scheme where a text has none, which tells why.
+    pub fn first_kind(&self, solved: &Solved) -> Kind {
+        self.kinds(solved).first().copied().unwrap_or(Kind::Scheme)
     }
 
     /// The mechanism in motion, with the arrows that its effects have; of what does not move the scheme.
@@ -59,17 +68,15 @@ impl Pictured<'_> {
     /// # Errors
     /// There is no picture, or no arrow of the kind that is wanted.
     pub fn moving(&self, solved: &Solved, shown: Option<ArrowKind>) -> Result<Moving, Diagnosis> {
+        let still = || {
+            let markup = self.drawn(solved, self.first_kind(solved), None)?.concat();
+            Ok(Moving { title: solved.compiled.mechanism.title.clone(), markup, motion: None })
+        };
+        let Ok(scene) = self.scene(solved, None) else { return still() };
         let (turn, arrows) = pipeline::turn_with_effects(&solved.compiled, &solved.solution, None);
-        let scene = Scene { turn: &turn, ..self.scene(solved, None)? };
         let options = Options { arrows, shown, ..Options::default() };
-        assur_picture::motion(&scene, &options, self.theme, &self.language).or_else(|missing| {
-            if shown.is_some() {
-                return Err(missing);
-            }
-            let drawings = self.svg(solved, assur_picture::draw(Kind::Scheme, &scene, &options)?);
-            let title = solved.compiled.mechanism.title.clone();
-            Ok(Moving { title, markup: drawings.concat(), motion: None })
-        })
+        assur_picture::motion(&Scene { turn: &turn, ..scene }, &options, self.theme, &self.language)
+            .or_else(|missing| if shown.is_some() { Err(missing) } else { still() })
     }
 
     /// The mechanism in motion as one picture without a script.
@@ -85,6 +92,10 @@ impl Pictured<'_> {
     fn scene<'s>(&'s self, solved: &'s Solved, pose: Option<&str>) -> Result<Scene<'s>, Diagnosis> {
         let file = (self.source.name.as_str(), self.source.text.as_str());
         Scene::of(solved.compiled.model(), &solved.solution, file, pose)
+    }
+
+    fn without_position<'s>(&'s self, solved: &'s Solved) -> Subject<'s, 's> {
+        Subject::without_position(&solved.compiled.mechanism, &solved.solution, &self.source.name)
     }
 
     fn svg(&self, solved: &Solved, drawings: Vec<Drawing>) -> Vec<String> {

@@ -4,12 +4,14 @@
 use crate::pipeline::Solved;
 use crate::report::document::{Align, Block as Printed, Section, Table as Rows};
 use crate::report::{self, AccuracyShown, OF_CYCLE, OF_MOTION, PrintedDigits};
-use assur_drawing::Theme;
+use assur_drawing::{Drawing, Theme};
 use assur_formula::unit_words;
 use assur_model::model::Mechanism;
-use assur_picture::{Kind, Options, Scene, draw};
+use assur_picture::{Kind, Options, Scene, Subject};
 use assur_text::source::Source;
-use assur_worked::{Block, Figure, Inline, Language, Table, drawing_in, localised, written_in_letters};
+use assur_worked::{
+    Block, Figure, Inline, Language, Table, drawing_in, drawn_for_paper, localised, written_in_letters,
+};
 
 /// The most rows of a table that are printed; of longer ones some over all of it.
 const ROWS: usize = 37;
@@ -36,7 +38,10 @@ pub fn blocks(source: &Source, solved: &Solved, scene: Option<&Scene<'_>>, langu
     let mechanism = &solved.compiled.mechanism;
     let blocks = blocks.into_iter().map(|block| with_letters(block, mechanism, language));
     let mut blocks: Vec<Block> = blocks.collect();
-    for picture in scene.into_iter().flat_map(|scene| PICTURES.map(|kind| pictures(scene, kind, language))) {
+    let subject = scene
+        .map_or_else(|| Subject::without_position(mechanism, &solved.solution, &source.name), Subject::from);
+    let designs: &[Kind] = if scene.is_none() { &[Kind::Gears, Kind::Elements] } else { &[] };
+    for picture in PICTURES.iter().chain(designs).map(|kind| pictures(subject, *kind, language)) {
         if !picture.is_empty() {
             blocks.push(Block::Figures(picture));
         }
@@ -166,10 +171,10 @@ fn table(rows: &Rows, most: usize) -> Table {
     }
 }
 
-fn pictures(scene: &Scene<'_>, kind: Kind, language: Language) -> Vec<Figure> {
-    let drawings = draw(kind, scene, &Options::default()).unwrap_or_default().into_iter();
-    let figure = |drawing: assur_drawing::Drawing| {
-        let drawing = drawing_in(language, scene.mechanism(), drawing);
+fn pictures(subject: Subject<'_, '_>, kind: Kind, language: Language) -> Vec<Figure> {
+    let drawings = drawn_for_paper(kind, subject, &Options::default()).into_iter();
+    let figure = |drawing: Drawing| {
+        let drawing = drawing_in(language, subject.mechanism, drawing);
         let (name, caption) = (kind.name().to_owned(), drawing.title.clone());
         Figure { svg: drawing.placed().svg(Theme::Auto), name, caption }
     };

@@ -172,8 +172,8 @@ pub fn solve_drawn_conducted(
 /// With the plan of all that pictures of these kinds show.
 #[must_use]
 pub fn planned_to_draw(mut compiled: Compiled, kinds: &[Kind]) -> Compiled {
-    let level = kinds.iter().map(|kind| kind.level()).max().unwrap_or_default();
-    let forces = kinds.iter().any(|kind| kind.forces());
+    let level = kinds.iter().map(|kind| kind.needs().level).max().unwrap_or_default();
+    let forces = kinds.iter().any(|kind| kind.needs().forces);
     let (mechanism, structure) = (&compiled.mechanism, &compiled.structure);
     let effects = Effects::at_least(mechanism, level, forces && structure.force_defect.is_none());
     if effects != compiled.plan.effects {

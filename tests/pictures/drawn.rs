@@ -4,7 +4,7 @@ use assur::internals::Solved;
 use assur::internals::check::Overrides;
 use assur::internals::drawing::{Drawing, Obstacle, Rect, Sheet, Style, Theme, touches};
 use assur::internals::model::{Drive, Positions};
-use assur::internals::picture::{KINDS, Kind, Options, Scene, animation, draw};
+use assur::internals::picture::{KINDS, Kind, Options, Place, Scene, Subject, animation, draw};
 use assur::internals::pipeline::solve_drawn;
 use assur::internals::solve::{Model, Pose, Solution};
 use assur::internals::source::Source;
@@ -93,13 +93,20 @@ impl<'a> Shown<'a> {
 
     /// Pictures of a kind, of the first position or of all.
     pub fn sheets(&self, kind: Kind, every: bool) -> Vec<(&'a Pose, Sheet)> {
-        let poses = self.poses(every && !kind.is_of_sweep()).into_iter();
+        let poses = self.poses(every && kind.needs().place.is_of_position()).into_iter();
         poses.flat_map(|pose| self.drawn(kind, pose).into_iter().map(move |sheet| (pose, sheet))).collect()
     }
 }
 
-/// Pictures of a kind at the first position.
+/// Pictures of a kind at the first position, or without one.
 pub fn sheets(source: &Source, solved: &Solved, kind: Kind) -> Vec<Sheet> {
+    let place = kind.needs().place;
+    if place == Place::File || !place.is_needed() && solved.solution.poses.is_empty() {
+        let (mechanism, solution) = (&solved.compiled.mechanism, &solved.solution);
+        let subject = Subject::without_position(mechanism, solution, &source.name);
+        let drawings = draw(kind, subject, &Options::default()).unwrap_or_default();
+        return drawings.into_iter().map(Drawing::placed).collect();
+    }
     Shown::of(source, solved).sheets(kind, false).into_iter().map(|(_, sheet)| sheet).collect()
 }
 

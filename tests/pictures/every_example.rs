@@ -1,8 +1,8 @@
 //! Every picture of every example.
 
 use crate::bars::Tally;
-use crate::drawn::{Shown, faults, moving, solved};
-use assur::internals::picture::KINDS;
+use crate::drawn::{Shown, faults, moving, sheets, solved};
+use assur::internals::picture::{KINDS, Kind, Options, Scene, Subject, draw};
 use std::path::Path;
 
 pub fn examples() -> Vec<(String, String)> {
@@ -46,5 +46,50 @@ fn paths_and_other_poses_are_drawn() {
         wrong.extend(faults(&sheet).into_iter().take(3).map(|f| format!("{name}: {f}")));
     }
     assert!(count > 100, "paths are drawn: {count}");
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
+fn kinds_are_known_without_drawing() {
+    let (mut wrong, mut count) = (Vec::new(), 0);
+    for (name, text) in examples() {
+        let Some((source, solved)) = solved(&name, &text) else { continue };
+        let file = (source.name.as_str(), source.text.as_str());
+        let (mechanism, solution) = (&solved.compiled.mechanism, &solved.solution);
+        let scene = Scene::of(solved.compiled.model(), solution, file, None).ok();
+        let subject = Subject::without_position(mechanism, solution, &source.name);
+        let subject = Subject { scene: scene.as_ref(), ..subject };
+        let kinds = subject.kinds();
+        for kind in KINDS.into_iter().filter(|kind| *kind != Kind::Animation) {
+            let drawn = draw(kind, subject, &Options::default());
+            // what is known only when it is drawn
+            let late = ["cannot be read", "has a value over the sweep"];
+            let why = drawn.as_ref().err().map(ToString::to_string).unwrap_or_default();
+            if !late.iter().any(|late| why.contains(late)) && kinds.contains(&kind) != drawn.is_ok() {
+                wrong.push(format!("{name}: {}: {why}", kind.name()));
+            }
+        }
+        count += kinds.len();
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+    assert!(count > 1000, "{count} pictures");
+}
+
+#[test]
+fn every_example_has_a_picture() {
+    let mut wrong = Vec::new();
+    for (name, text) in examples() {
+        let Some((source, solved)) = solved(&name, &text) else { continue };
+        let has = KINDS.into_iter().any(|kind| !sheets(&source, &solved, kind).is_empty());
+        if !has {
+            wrong.push(format!("{name}: no picture"));
+        }
+        // those with positions are judged above
+        for kind in [Kind::Cam, Kind::Gears, Kind::Elements] {
+            for sheet in sheets(&source, &solved, kind) {
+                wrong.extend(faults(&sheet).into_iter().map(|fault| format!("{name}: {fault}")));
+            }
+        }
+    }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }

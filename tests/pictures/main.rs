@@ -16,6 +16,7 @@ mod extreme;
 mod film;
 mod frames;
 mod freed;
+mod gears;
 mod leaders;
 mod looks;
 mod moved;
@@ -29,6 +30,7 @@ mod read_back;
 mod scenes;
 #[path = "../share/mod.rs"]
 mod share;
+mod sheets;
 mod trains;
 mod without_script;
 mod xml;

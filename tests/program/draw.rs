@@ -94,6 +94,24 @@ fn among_several_files_those_without_positions_are_passed_over() {
 }
 
 #[test]
+fn a_cam_alone_needs_no_position() {
+    let cam = "cam plate { base_radius 50 mm; turning ccw; follower translating roller { radius 10 mm }\n\
+               rise 120 deg through 30 mm cycloidal; fall 120 deg poly345 }\n";
+    let folder = Folder::new("draw-cam").with("a.mech", cam);
+    let one = assur(&folder, &["draw", "a.mech"]);
+    assert_eq!((one.status, one.stderr.as_str()), (0, ""));
+    let all = assur(&folder, &["draw", "a.mech", "--all", "-o", "out"]);
+    assert_eq!((all.status, all.stderr.as_str()), (0, ""));
+    assert!(folder.read("out/a-cam-1.svg").contains("cam plate"));
+    let scheme = assur(&folder, &["draw", "a.mech", "scheme"]);
+    assert!(
+        scheme.status == 1 && scheme.stderr.contains("without one the file has `cam`"),
+        "{}",
+        scheme.stderr
+    );
+}
+
+#[test]
 fn what_cannot_be_drawn_is_said() {
     let still = GOOD.replace(" at 100 rad/s", "").replace(", v_C = velocity(C)", "");
     let folder = Folder::new("draw-not").with("a.mech", &still).with("wrong.mech", "link a A-B\n");

@@ -54,6 +54,34 @@ fn pages_are_well_formed_and_ask_for_nothing() {
     assert!(wrong.is_empty(), "{} of {count}: {:#?}", wrong.len(), &wrong[..wrong.len().min(30)]);
 }
 
+/// The numbers of a diagram, and the least letters that are read in print, mm.
+const NUMBERS: f64 = 3.0;
+const LEAST: f64 = 7.0 * 25.4 / 72.0;
+/// What paper has between its margins, and what the page gives to the height of a diagram, mm.
+const PAPER: [f64; 2] = [182.0, 150.0];
+
+#[test]
+fn numbers_of_plots_are_read_in_print() {
+    let (mut wrong, mut count) = (Vec::new(), 0);
+    for Example { name, solved, .. } in examples() {
+        let Some(page) = solved.as_ref().and_then(|solved| page(solved, Language::English)) else { continue };
+        assert!(page.contains(&format!(".free svg{{max-height:{}mm}}", PAPER[1])), "the rule of the page");
+        for figure in page.split(" class=\"free\">").skip(1) {
+            let side = |name: &str| {
+                let (_, rest) = figure.split_once(&format!(" {name}=\""))?;
+                rest.split_once("mm\"")?.0.parse::<f64>().ok()
+            };
+            let (wide, tall) = (side("width").expect("a width"), side("height").expect("a height"));
+            count += 1;
+            if NUMBERS * (PAPER[0] / wide).min(PAPER[1] / tall) < LEAST {
+                wrong.push(format!("{name}: {wide} × {tall} mm"));
+            }
+        }
+    }
+    assert!(count > 50, "{count} diagrams");
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
 #[test]
 fn a_solution_has_the_letters_and_signs_of_its_language() {
     let words = std::fs::read_to_string("examples/kinetostatics/six-bar.mech").expect("the example");

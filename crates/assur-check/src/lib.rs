@@ -197,4 +197,5 @@ fn meaning(cx: &mut Context<'_>) {
     variants::variants(cx);
     load_cycle::load_cycles(cx);
     notes::notes(cx);
+    cx.keep_gears();
 }

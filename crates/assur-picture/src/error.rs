@@ -1,10 +1,9 @@
 //! Pictures that cannot exist.
 
-use crate::scene::Scene;
+use crate::scene::{Scene, Subject};
 use crate::words::offered;
-use assur_model::model::{LinkId, Mechanism};
+use assur_model::model::LinkId;
 use assur_position::position::turns;
-use assur_solve::solve::Solution;
 use assur_text::diagnostic::{Diagnosis, Help, did_you_mean};
 use assur_text::source::Span;
 
@@ -55,10 +54,7 @@ pub(crate) fn nothing_placed(scene: &Scene<'_>, needs: &'static str) -> Diagnosi
     let open = (1..links.len()).find(|i| !scene.is_placed(LinkId::at(*i)));
     Diagnosis::error("mech::picture::not_placed", format!("no link has a position: {needs}"))
         .label(open.map(|i| links[i].span), "has no position")
-        .help(
-            "give the axes positions: `ground { O1 (0, 0) }` and `shaft I { wheel a teeth 20 \
-             module 2 mm at O1 }`",
-        )
+        .help("draw the `train`, which shows shafts without positions")
 }
 
 /// No body is elsewhere in any frame.
@@ -112,9 +108,9 @@ pub(crate) fn no_speed(scene: &Scene<'_>, what: &'static str) -> Diagnosis {
 }
 
 /// No position, or none of a name, is solved.
-pub(crate) fn no_position(mechanism: &Mechanism, solution: &Solution, name: Option<&str>) -> Diagnosis {
-    let at = mechanism.drives.first().map(|drive| drive.span);
-    let solved = solution.poses.iter().filter(|p| p.outcome.is_ok());
+pub(crate) fn no_position(subject: &Subject<'_, '_>, name: Option<&str>) -> Diagnosis {
+    let at = subject.mechanism.drives.first().map(|drive| drive.span);
+    let solved = subject.solution.poses.iter().filter(|p| p.outcome.is_ok());
     let known: Vec<String> = solved.map(|p| p.name.clone()).collect();
     match name {
         Some(name) if !known.is_empty() => Diagnosis::error(
@@ -123,9 +119,26 @@ pub(crate) fn no_position(mechanism: &Mechanism, solution: &Solution, name: Opti
         )
         .label(at, "these are the positions")
         .help(format!("the poses are {}", offered(&known))),
-        _ => Diagnosis::error("mech::picture::no_position", "there is no position to draw")
-            .help("declare a link with a drive: `drive crank = 45 deg`"),
+        _ => without_position(subject),
     }
+}
+
+/// What is drawn needs a position, and there is none.
+fn without_position(subject: &Subject<'_, '_>) -> Diagnosis {
+    let code = "mech::picture::no_position";
+    let kinds: Vec<String> = subject.kinds().into_iter().map(|kind| kind.name().to_owned()).collect();
+    if !kinds.is_empty() {
+        return Diagnosis::error(code, "there is no position to draw")
+            .help(format!("without one the file has {}", offered(&kinds)));
+    }
+    if subject.mechanism.links.len() > 1 {
+        return Diagnosis::error(code, "there is no position to draw")
+            .help("give a link a drive: `drive crank = 45 deg`");
+    }
+    Diagnosis::error(code, "there is nothing to draw: the file has numbers and no link").help(
+        "declare a link with a drive: `drive crank = 45 deg`; a curve is drawn as the load of a shaft: \
+             `torque T on S = M(angle(S))`",
+    )
 }
 
 pub fn no_forces_for(why: &str, at: Option<Span>, what: &'static str, help: impl Into<Help>) -> Diagnosis {

@@ -49,7 +49,12 @@ pub fn unit_text(unit: &str) -> String {
 
 /// A value in the author's unit with four digits.
 pub fn value_text(display: &Display, si: f64) -> String {
-    let figures = display.figures(Value::Scalar(si), MARKED).replace('-', "−");
+    value_in_digits(display, si, MARKED)
+}
+
+/// A value in the author's unit.
+pub fn value_in_digits(display: &Display, si: f64, digits: usize) -> String {
+    let figures = display.figures(Value::Scalar(si), digits).replace('-', "−");
     match unit_text(&display.unit).as_str() {
         "" => figures,
         "°" => format!("{figures}°"),

@@ -17,7 +17,7 @@ const WIDE: f64 = 0.5;
 const SMALL: f64 = 1e-6;
 
 /// The terms of one series that are asked for.
-struct Series<'s> {
+pub struct Series<'s> {
     /// Of what, as it is written, and as an expression.
     name: &'s str,
     of: &'s Expr,
@@ -46,7 +46,7 @@ pub fn fourier(scene: &Scene<'_>) -> Result<Vec<Drawing>, Diagnosis> {
 }
 
 /// The amplitudes among the items of `find`, by what they are of.
-fn all_series<'s>(scene: &Scene<'s>) -> Vec<Series<'s>> {
+pub fn all_series<'s>(scene: &Scene<'s>) -> Vec<Series<'s>> {
     let (mechanism, view) = (scene.mechanism(), scene.view());
     let mut all: Vec<Series<'s>> = Vec::new();
     let mut take = |amplitude: &'s Expr, display: &'s Display| {

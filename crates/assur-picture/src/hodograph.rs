@@ -35,7 +35,7 @@ enum Of {
 }
 
 /// A vector over the sweep.
-struct Swept {
+pub struct Swept {
     query: Query,
     /// As written: `ram.F`, `B on coupler`.
     plain: String,
@@ -47,16 +47,8 @@ struct Swept {
 /// # Errors
 /// No speed, no sweep, no such point.
 pub fn hodographs(scene: &Scene<'_>, name: &str, paper: &Paper) -> Result<Vec<Drawing>, Diagnosis> {
-    if !scene.model.plan.effects.moving {
-        return Err(error::no_speed(scene, "velocities"));
-    }
-    let mut all = Vec::new();
+    let mut all = points_asked(scene)?;
     if name.is_empty() {
-        asked(scene.mechanism(), &mut |query, text| {
-            if let Query::Velocity(point) = query {
-                all.push(velocity(scene.mechanism(), *point, text));
-            }
-        });
         if all.is_empty() {
             let known = points(scene.mechanism());
             let why = "the file asks for no velocity of a point".to_owned();
@@ -68,7 +60,7 @@ pub fn hodographs(scene: &Scene<'_>, name: &str, paper: &Paper) -> Result<Vec<Dr
             let why = format!("no point of a link is named `{name}`");
             return Err(no_diagram::no_velocity(why, no_diagram::link_of(scene, name), &known));
         };
-        all.push(velocity(scene.mechanism(), point, name));
+        all = vec![velocity(scene.mechanism(), point, name)];
     }
     drawn(scene, Of::Velocity, &all, paper)
 }
@@ -78,19 +70,10 @@ pub fn hodographs(scene: &Scene<'_>, name: &str, paper: &Paper) -> Result<Vec<Dr
 /// # Errors
 /// No forces, no sweep, no such pair.
 pub fn polars(scene: &Scene<'_>, name: &str, paper: &Paper) -> Result<Vec<Drawing>, Diagnosis> {
-    crate::forces::loaded(scene)?;
+    let mut all = reactions_asked(scene)?;
     let mechanism = scene.mechanism();
-    let mut all = Vec::new();
     let known: Vec<String> = reacting(mechanism).map(|id| mechanism.pair(id).name.clone()).collect();
     if name.is_empty() {
-        asked(mechanism, &mut |query, _| {
-            if let Query::Reaction(pair, link) = query {
-                all.push(reaction(scene, *pair, *link));
-            }
-        });
-        if mechanism.finds.iter().any(|f| matches!(f.kind, FindKind::Reactions)) {
-            all.extend(reacting(mechanism).map(|id| reaction(scene, id, on(mechanism, id))));
-        }
         if all.is_empty() {
             let why = "the file asks for no reaction".to_owned();
             return Err(no_diagram::no_reaction(why, no_diagram::first_item(scene), &known));
@@ -100,9 +83,44 @@ pub fn polars(scene: &Scene<'_>, name: &str, paper: &Paper) -> Result<Vec<Drawin
             let why = format!("no pair is named `{name}`");
             return Err(no_diagram::no_reaction(why, (None, ""), &known));
         };
-        all.push(reaction(scene, id, on(mechanism, id)));
+        all = vec![reaction(scene, id, on(mechanism, id))];
     }
     drawn(scene, Of::Reaction, &all, paper)
+}
+
+/// The points whose velocity the file asks for.
+///
+/// # Errors
+/// No speed.
+pub fn points_asked(scene: &Scene<'_>) -> Result<Vec<Swept>, Diagnosis> {
+    if !scene.model.plan.effects.moving {
+        return Err(error::no_speed(scene, "velocities"));
+    }
+    let mut all = Vec::new();
+    asked(scene.mechanism(), &mut |query, text| {
+        if let Query::Velocity(point) = query {
+            all.push(velocity(scene.mechanism(), *point, text));
+        }
+    });
+    Ok(all)
+}
+
+/// The pairs whose reaction it asks for.
+///
+/// # Errors
+/// No forces.
+pub fn reactions_asked(scene: &Scene<'_>) -> Result<Vec<Swept>, Diagnosis> {
+    crate::forces::loaded(scene)?;
+    let (mechanism, mut all) = (scene.mechanism(), Vec::new());
+    asked(mechanism, &mut |query, _| {
+        if let Query::Reaction(pair, link) = query {
+            all.push(reaction(scene, *pair, *link));
+        }
+    });
+    if mechanism.finds.iter().any(|f| matches!(f.kind, FindKind::Reactions)) {
+        all.extend(reacting(mechanism).map(|id| reaction(scene, id, on(mechanism, id))));
+    }
+    Ok(all)
 }
 
 /// The questions in the items of `find`, each once, with the name of the item.

@@ -2,21 +2,25 @@
 
 use crate::animation::{ArrowKind, still};
 use crate::cam::cams;
+use crate::elements::elements;
 use crate::equilibrium::equilibrium;
-use crate::forces::{forces, friction, lever};
-use crate::fourier::fourier;
-use crate::hodograph::{hodographs, polars};
+use crate::error;
+use crate::forces::{self, forces, friction, frictions, lever};
+use crate::fourier::{all_series, fourier};
+use crate::gears::gears;
+use crate::hodograph::{hodographs, points_asked, polars, reactions_asked};
 use crate::internal::internal;
-use crate::motion::{accelerations, velocities};
+use crate::motion::{self, accelerations, velocities};
 use crate::paper::Scaled;
-use crate::planes::planes;
-use crate::plot::plot;
-use crate::scene::Scene;
-use crate::scheme::{Scheme, axial, curvature, scheme};
-use crate::train::train;
+use crate::planes::{planes, rotors};
+use crate::plot::{items, plot};
+use crate::scene::{Scene, Subject};
+use crate::scheme::{Scheme, axial, circles, curvature, scheme};
+use crate::train::{has_train, train};
 use crate::work::work;
 use assur_drawing::Drawing;
 use assur_model::model::{Level, LinkId};
+use assur_solve::solve::courses;
 use assur_text::diagnostic::Diagnosis;
 
 /// A kind of picture.
@@ -51,6 +55,10 @@ pub enum Kind {
     Equilibrium,
     /// Profile and motion of designed cams.
     Cam,
+    /// Wheels in mesh with their teeth.
+    Gears,
+    /// Bearings, belts and screws of formulas.
+    Elements,
     /// Velocities of a point over the sweep.
     Hodograph,
     /// Reactions in a pair over the sweep.
@@ -59,7 +67,7 @@ pub enum Kind {
     Animation,
 }
 
-pub const KINDS: [Kind; 19] = [
+pub const KINDS: [Kind; 21] = [
     Kind::Scheme,
     Kind::Velocities,
     Kind::Accelerations,
@@ -76,6 +84,8 @@ pub const KINDS: [Kind; 19] = [
     Kind::Planes,
     Kind::Equilibrium,
     Kind::Cam,
+    Kind::Gears,
+    Kind::Elements,
     Kind::Hodograph,
     Kind::Polar,
     Kind::Animation,
@@ -118,33 +128,34 @@ impl Kind {
             Self::Planes => "planes",
             Self::Equilibrium => "equilibrium",
             Self::Cam => "cam",
+            Self::Gears => "gears",
+            Self::Elements => "elements",
             Self::Hodograph => "hodograph",
             Self::Polar => "polar",
             Self::Animation => "animation",
         }
     }
 
-    /// How far motion must be followed for it.
+    /// What it is made from.
     #[must_use]
-    pub const fn level(self) -> Level {
-        match self {
-            Self::Scheme
-            | Self::Forces
-            | Self::Axial
-            | Self::Curvature
-            | Self::Train
-            | Self::Plot
-            | Self::Work
-            | Self::Fourier
-            | Self::Internal
-            | Self::Planes
-            | Self::Equilibrium
-            | Self::Cam
-            | Self::Polar
-            | Self::Animation => Level::Positions,
-            Self::Velocities | Self::Lever | Self::Friction | Self::Hodograph => Level::Velocities,
-            Self::Accelerations => Level::Accelerations,
-        }
+    pub const fn needs(self) -> Needs {
+        let (place, level, forces) = match self {
+            Self::Cam => (Place::Any, Level::Positions, false),
+            Self::Gears | Self::Elements => (Place::File, Level::Positions, false),
+            Self::Scheme | Self::Curvature | Self::Train | Self::Planes | Self::Equilibrium => {
+                (Place::Pose, Level::Positions, false)
+            }
+            Self::Velocities => (Place::Pose, Level::Velocities, false),
+            Self::Accelerations => (Place::Pose, Level::Accelerations, false),
+            Self::Forces | Self::Axial | Self::Internal => (Place::Pose, Level::Positions, true),
+            Self::Lever | Self::Friction => (Place::Pose, Level::Velocities, true),
+            Self::Plot | Self::Work | Self::Fourier | Self::Animation => {
+                (Place::Way, Level::Positions, false)
+            }
+            Self::Hodograph => (Place::Way, Level::Velocities, false),
+            Self::Polar => (Place::Way, Level::Positions, true),
+        };
+        Needs { place, level, forces }
     }
 
     /// Whether lengths in it stand for a kind of quantity; those of a scheme for forces where it shows numbers.
@@ -160,6 +171,7 @@ impl Kind {
                         | Self::Curvature
                         | Self::Friction
                         | Self::Cam
+                        | Self::Gears
                         | Self::Animation
                 )
             }
@@ -181,24 +193,7 @@ impl Kind {
                 | Self::Internal
                 | Self::Planes
                 | Self::Equilibrium
-        )
-    }
-
-    /// Whether it shows forces.
-    #[must_use]
-    pub const fn forces(self) -> bool {
-        matches!(
-            self,
-            Self::Forces | Self::Lever | Self::Axial | Self::Internal | Self::Friction | Self::Polar
-        )
-    }
-
-    /// Whether it shows the whole sweep and not one position.
-    #[must_use]
-    pub const fn is_of_sweep(self) -> bool {
-        matches!(
-            self,
-            Self::Plot | Self::Work | Self::Fourier | Self::Hodograph | Self::Polar | Self::Animation
+                | Self::Elements
         )
     }
 
@@ -215,16 +210,110 @@ impl Kind {
     }
 }
 
-/// The pictures of a kind at a position.
+/// What a kind of picture is made from.
+#[derive(Clone, Copy, Debug)]
+pub struct Needs {
+    pub place: Place,
+    /// How far motion must be followed.
+    pub level: Level,
+    /// It shows forces.
+    pub forces: bool,
+}
+
+/// The positions that a picture shows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Place {
+    /// None.
+    File,
+    /// One, where there is one: cams are drawn as they are designed else.
+    Any,
+    /// One.
+    Pose,
+    /// The whole sweep, once.
+    Way,
+}
+
+impl Place {
+    /// Whether there is no picture without one.
+    #[must_use]
+    pub const fn is_needed(self) -> bool {
+        matches!(self, Self::Pose | Self::Way)
+    }
+
+    /// Whether each position has its own picture.
+    #[must_use]
+    pub const fn is_of_position(self) -> bool {
+        matches!(self, Self::Any | Self::Pose)
+    }
+}
+
+impl Subject<'_, '_> {
+    /// The kinds that a file has, by what it declares; nothing is drawn for it.
+    #[must_use]
+    pub fn kinds(&self) -> Vec<Kind> {
+        KINDS.into_iter().filter(|kind| self.has(*kind)).collect()
+    }
+
+    /// The kind that is drawn where none is named: the scheme, where there is a position.
+    #[must_use]
+    pub fn first_kind(&self) -> Option<Kind> {
+        KINDS.into_iter().find(|kind| self.has(*kind))
+    }
+
+    fn has(&self, kind: Kind) -> bool {
+        let mechanism = self.mechanism;
+        match kind {
+            Kind::Cam => return !mechanism.cams.is_empty(),
+            Kind::Gears => return !mechanism.gears.is_empty(),
+            Kind::Elements => return !mechanism.formulas.is_empty(),
+            _ => {}
+        }
+        let Some(scene) = self.scene else { return false };
+        let is_motion = mechanism.simulation.is_some();
+        let is_swept = || is_motion || courses(&scene.model, scene.solution, &[]).is_ok();
+        match kind {
+            Kind::Scheme | Kind::Animation => true,
+            Kind::Velocities => motion::with_velocities(scene).is_ok(),
+            Kind::Accelerations => motion::with_accelerations(scene).is_ok(),
+            Kind::Forces => forces::freed(scene).is_ok(),
+            Kind::Lever => forces::levered(scene).is_ok(),
+            Kind::Axial => !mechanism.bars.is_empty(),
+            Kind::Curvature => !circles(scene, 0.0).is_empty(),
+            Kind::Friction => frictions(scene).is_ok(),
+            Kind::Train => has_train(scene),
+            Kind::Plot => !items(scene, &[]).is_empty() && is_swept(),
+            Kind::Work => !mechanism.flywheels.is_empty() && !is_motion && is_swept(),
+            Kind::Fourier => !all_series(scene).is_empty(),
+            Kind::Internal => !mechanism.asked_inside().is_empty(),
+            Kind::Planes => rotors(scene).next().is_some(),
+            Kind::Equilibrium => mechanism.equilibria.first().is_some_and(|found| found.sought.is_some()),
+            Kind::Cam | Kind::Gears | Kind::Elements => true,
+            Kind::Hodograph => points_asked(scene).is_ok_and(|all| !all.is_empty()) && is_swept(),
+            Kind::Polar => reactions_asked(scene).is_ok_and(|all| !all.is_empty()) && is_swept(),
+        }
+    }
+}
+
+/// The pictures of a kind.
 ///
 /// # Errors
 /// What the file does not declare.
-pub fn draw(kind: Kind, scene: &Scene<'_>, options: &Options) -> Result<Vec<Drawing>, Diagnosis> {
-    let paper = &options.scheme.paper();
+pub fn draw<'s, 'a: 's>(
+    kind: Kind,
+    of: impl Into<Subject<'s, 'a>>,
+    options: &Options,
+) -> Result<Vec<Drawing>, Diagnosis> {
+    let (subject, paper) = (of.into(), &options.scheme.paper());
+    match kind {
+        Kind::Cam => return cams(&subject, paper),
+        Kind::Gears => return gears(&subject, paper),
+        Kind::Elements => return elements(&subject),
+        _ => {}
+    }
+    let Some(scene) = subject.scene else { return Err(error::no_position(&subject, None)) };
     match kind {
         Kind::Scheme => scheme_or_section(scene, options).map(|scheme| vec![scheme]),
         Kind::Train => train(scene).map(|section| vec![section]),
-        Kind::Cam => cams(scene, paper),
         Kind::Hodograph => hodographs(scene, &options.of, paper),
         Kind::Polar => polars(scene, &options.of, paper),
         Kind::Animation => still(scene, options).map(|first| vec![first]),
@@ -241,6 +330,7 @@ pub fn draw(kind: Kind, scene: &Scene<'_>, options: &Options) -> Result<Vec<Draw
         Kind::Lever => lever(scene, paper).map(|lever| vec![lever]),
         Kind::Axial => axial(scene, &options.scheme).map(|bars| vec![bars]),
         Kind::Curvature => curvature(scene, &options.scheme).map(|circles| vec![circles]),
+        Kind::Cam | Kind::Gears | Kind::Elements => Ok(Vec::new()),
     }
 }
 

@@ -20,7 +20,7 @@ const MASS: f64 = 1.2;
 const SHORT: f64 = 0.3;
 
 /// A link with its hinge on the ground.
-struct Rotor<'s> {
+pub struct Rotor<'s> {
     link: &'s Link,
     hinge: Vec2,
 }
@@ -44,7 +44,7 @@ pub fn planes(scene: &Scene<'_>) -> Result<Vec<Drawing>, Diagnosis> {
     Ok(vec![drawing])
 }
 
-fn rotors<'s>(scene: &Scene<'s>) -> impl Iterator<Item = Rotor<'s>> {
+pub fn rotors<'s>(scene: &Scene<'s>) -> impl Iterator<Item = Rotor<'s>> {
     let mechanism = scene.mechanism();
     mechanism.pairs.iter().filter_map(move |pair| {
         let PairKind::Revolute(pins) = &pair.kind else { return None };

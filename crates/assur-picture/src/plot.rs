@@ -37,7 +37,7 @@ const DOTS: f64 = 2.5;
 const LONGEST: usize = 44;
 
 /// A number that is plotted.
-struct Item {
+pub struct Item {
     plain: String,
     name: Text,
     display: Display,
@@ -192,7 +192,7 @@ impl Curve<'_> {
 }
 
 /// The numbers among the items of `find`; of a vector both components.
-fn items(scene: &Scene<'_>, which: &[usize]) -> Vec<Item> {
+pub fn items(scene: &Scene<'_>, which: &[usize]) -> Vec<Item> {
     let view = scene.view();
     let mut items = Vec::new();
     for (i, find) in scene.mechanism().finds.iter().enumerate() {

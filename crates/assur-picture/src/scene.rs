@@ -11,6 +11,49 @@ use assur_solve::answer::PoseAnswers;
 use assur_solve::solve::{BodyState, DriveValue, Model, MotionScales, Pose, Solution, Solved, State};
 use assur_text::diagnostic::Diagnosis;
 
+/// A solved problem, with the position at which it is shown; none where nothing has one.
+#[derive(Clone, Copy)]
+pub struct Subject<'s, 'a> {
+    pub mechanism: &'a Mechanism,
+    pub solution: &'a Solution,
+    /// The name of the file.
+    pub file: &'a str,
+    pub scene: Option<&'s Scene<'a>>,
+}
+
+impl<'s, 'a> From<&'s Scene<'a>> for Subject<'s, 'a> {
+    fn from(scene: &'s Scene<'a>) -> Self {
+        Self {
+            mechanism: scene.model.mechanism,
+            solution: scene.solution,
+            file: scene.file,
+            scene: Some(scene),
+        }
+    }
+}
+
+impl<'a> Subject<'_, 'a> {
+    /// A problem without a position.
+    #[must_use]
+    pub const fn without_position(mechanism: &'a Mechanism, solution: &'a Solution, file: &'a str) -> Self {
+        Self { mechanism, solution, file, scene: None }
+    }
+
+    /// The title of the problem, or the name of its file.
+    #[must_use]
+    pub fn title(&self) -> &'a str {
+        if self.mechanism.title.is_empty() { self.file } else { &self.mechanism.title }
+    }
+
+    /// The begin of the ids of a picture.
+    #[must_use]
+    pub fn id(&self, kind: &str) -> String {
+        let stem = self.file.rsplit(['/', '\\']).next().unwrap_or_default().trim_end_matches(".mech");
+        self.scene
+            .map_or_else(|| format!("{kind}-{stem}"), |scene| format!("{kind}-{stem}-{}", scene.pose.name))
+    }
+}
+
 /// One position of a solved problem.
 #[derive(Clone, Copy)]
 pub struct Scene<'a> {
@@ -70,7 +113,8 @@ impl<'a> Scene<'a> {
                 carried,
             })
         });
-        found.ok_or_else(|| error::no_position(model.mechanism, solution, name))
+        let subject = Subject::without_position(model.mechanism, solution, file);
+        found.ok_or_else(|| error::no_position(&subject, name))
     }
 
     #[must_use]

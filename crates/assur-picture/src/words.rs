@@ -1,9 +1,9 @@
 //! What a picture shows, in words.
 
-use crate::figures::cleared;
-use crate::scene::Scene;
-use assur_model::model::{LinkId, PairKind, Value};
-use assur_solve::solve::{DriveValue, PoseOrigin};
+use crate::figures::{cleared, value_in_digits};
+use crate::scene::{Scene, Subject};
+use assur_model::model::{Drive, DriveTarget, LinkId, Mechanism, PairKind, Value};
+use assur_solve::solve::{DriveValue, MotionScales, PoseOrigin};
 
 /// Digits of numbers in a description.
 const DIGITS: usize = 5;
@@ -12,27 +12,57 @@ const MOST_DESCRIBED: usize = 40;
 /// The same in a help.
 const MOST_OFFERED: usize = 12;
 
-/// Where the drives are: `crank = 45 deg`.
-pub fn drives(scene: &Scene<'_>) -> String {
-    let mechanism = scene.mechanism();
-    let said = mechanism.drives.iter().zip(&scene.pose.drives).filter_map(|(drive, value)| {
+/// The letter of a drive's coordinate with its index: φ of a link that turns, s of a slide, with the link's number, or its name.
+#[must_use]
+pub fn drive_letter<'a>(mechanism: &'a Mechanism, drive: &'a Drive) -> (&'static str, &'a str) {
+    let turns = match drive.target {
+        DriveTarget::Link(_) => true,
+        DriveTarget::Pair(pair) => matches!(mechanism.pair(pair).kind, PairKind::Revolute(_)),
+        DriveTarget::Point(..) | DriveTarget::Place(..) => false,
+    };
+    let link = mechanism.links.iter().find(|link| link.name == drive.name);
+    let number = link.and_then(|link| link.number.as_deref());
+    (if turns { "φ" } else { "s" }, number.unwrap_or(&drive.name))
+}
+
+/// Where the drives are, with five digits: `φ₁ = 45°`. A name is no index where there is one drive.
+#[must_use]
+pub fn drive_words(mechanism: &Mechanism, values: &[DriveValue], greatest: &MotionScales) -> Vec<String> {
+    let only = mechanism.drives.len() == 1;
+    let said = mechanism.drives.iter().zip(values).filter_map(|(drive, value)| {
         let display = mechanism.drive_display(drive.target);
-        let large = scene.greatest.in_si(display.dimension);
         let value = match value {
-            DriveValue::Scalar(x) => Value::Scalar(cleared(*x, large)),
-            DriveValue::Point(p) => Value::Vector(*p),
+            DriveValue::Scalar(x) => cleared(*x, greatest.in_si(display.dimension)),
+            DriveValue::Point(p) => {
+                return Some(format!("{} = {}", drive.name, display.text(Value::Vector(*p), DIGITS)));
+            }
             DriveValue::None => return None,
         };
-        let text = display.text(value, DIGITS);
-        Some(format!("{} = {}", drive.name, text))
+        let value = value_in_digits(&display, value, DIGITS);
+        if matches!(drive.target, DriveTarget::Place(..)) {
+            return Some(format!("{} = {value}", drive.name));
+        }
+        let (letter, index) = drive_letter(mechanism, drive);
+        let index = if index.chars().all(|c| c.is_ascii_digit()) {
+            index.chars().map(|c| char::from_u32(c as u32 - '0' as u32 + '₀' as u32).unwrap_or(c)).collect()
+        } else if only {
+            String::new()
+        } else {
+            format!("_{index}")
+        };
+        Some(format!("{letter}{index} = {value}"))
     });
-    said.collect::<Vec<_>>().join(", ")
+    said.collect()
+}
+
+/// Where the drives of a position are.
+pub fn drives(scene: &Scene<'_>) -> String {
+    drive_words(scene.mechanism(), &scene.pose.drives, &scene.greatest).join(", ")
 }
 
 /// The title of the problem, or the name of its file.
 pub fn title(scene: &Scene<'_>) -> String {
-    let title = &scene.mechanism().title;
-    if title.is_empty() { scene.file.to_owned() } else { title.clone() }
+    Subject::from(scene).title().to_owned()
 }
 
 /// The position in words; nothing where there is one alone and no drive has a value.
@@ -50,7 +80,7 @@ pub fn position(scene: &Scene<'_>) -> String {
     }
 }
 
-/// ` at crank = 45 deg`
+/// ` at φ₁ = 45°`
 pub fn at_position(scene: &Scene<'_>) -> String {
     let position = position(scene);
     if position.is_empty() { position } else { format!(" at {position}") }
@@ -58,9 +88,7 @@ pub fn at_position(scene: &Scene<'_>) -> String {
 
 /// The begin of the ids of a picture.
 pub fn id(scene: &Scene<'_>, kind: &str) -> String {
-    let stem = scene.file.rsplit(['/', '\\']).next().unwrap_or_default();
-    let stem = stem.trim_end_matches(".mech");
-    format!("{kind}-{stem}-{}", scene.pose.name)
+    Subject::from(scene).id(kind)
 }
 
 /// Sentences about links and pairs.

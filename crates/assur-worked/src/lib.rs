@@ -46,6 +46,7 @@ pub use formulas::Formula;
 pub use gaps::{Gap, GapSheet, gaps, how_to_answer, verdict, without_pictures};
 pub use given::{Data, drive_letter, given};
 pub use localised::{drawing_in, localised};
+pub use pictures::drawn_for_paper;
 pub use questions::question;
 pub use results::unit_of;
 pub use sheet::{

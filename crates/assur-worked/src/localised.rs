@@ -42,7 +42,7 @@ pub fn drawing_in(language: Language, mechanism: &Mechanism, mut drawing: Drawin
         if language.letters().comma { units_in_cyrillic(&commas(&words)) } else { words }
     };
     drawing.title = figures(title(language, &drawing.title));
-    drawing.description = figures(said_in(language, &drawing.description));
+    drawing.description = figures(with_frame(language, &said_in(language, &drawing.description)));
     if drawing.description.is_empty() {
         drawing.description.clone_from(&drawing.title);
     }
@@ -72,6 +72,20 @@ impl Wording for Language {
     fn drawing(&self, mechanism: &Mechanism, drawing: Drawing) -> Drawing {
         drawing_in(*self, mechanism, drawing)
     }
+}
+
+/// The word for the frame in place of `ground`, which no other link is called.
+fn with_frame(language: Language, words: &str) -> String {
+    let frame = if language == Language::Russian { "стойка" } else { "机架" };
+    let is_in_name = |c: char| c.is_alphanumeric() || matches!(c, '_' | '\'' | '.');
+    let mut out = String::new();
+    let mut rest = words;
+    while let Some((before, behind)) = rest.split_once("ground") {
+        let is_word = !before.ends_with(is_in_name) && !behind.starts_with(is_in_name);
+        out = out + before + if is_word { frame } else { "ground" };
+        rest = behind;
+    }
+    out + rest
 }
 
 /// What a picture says, sentence by sentence; one that the language does not have is left out.
@@ -111,12 +125,15 @@ fn relabel(language: Language, mechanism: &Mechanism, text: &mut Text) {
                 text.runs.get(i + 2).filter(|run| run.level == Level::Sub && mark.level == Level::Sup)?;
             Some(behind.letters.clone())
         });
+        if text.runs[i].letters.contains("ground") {
+            text.runs[i].letters = with_frame(language, &text.runs[i].letters);
+        }
         let Some(index) = index.filter(|_| quantity) else { continue };
         let letter = text.runs[i].letters.clone();
         let base = if letter.trim_end().ends_with('R') && is_reaction(mechanism, &index) {
             let (letter, lead) = letters.reaction;
             text.runs[i].letters = letter.to_owned();
-            Some(format!("{lead}{index}"))
+            Some(format!("{lead}{}", with_frame(language, &index)))
         } else {
             let own = index.strip_prefix('I').filter(|own| is_link(mechanism, own));
             own.filter(|_| matches!(letter.as_str(), "F" | "M"))

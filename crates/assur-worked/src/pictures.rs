@@ -6,12 +6,15 @@ use crate::localised::drawing_in;
 use crate::words::{Language, Message};
 use assur_drawing::{Drawing, Theme};
 use assur_math::math::Vec2;
-use assur_picture::{Kind, Options, draw};
+use assur_model::model::{Display, FindKind, Mechanism};
+use assur_picture::{Kind, Options, Subject, draw};
 
 /// What A4 has between the margins, mm.
 const PAPER: f64 = 182.0;
 /// What a mechanism takes on a sheet, mm: the rest of the page is for the problem.
 const SHEET: Vec2 = Vec2 { x: 176.0, y: 66.0 };
+/// How tall a plot may be, mm: a page takes it with letters of 7 points.
+const TALLEST: f64 = 180.0;
 /// How often a picture is drawn with less space, and how much less than what it seems to need.
 const TRIES: u8 = 4;
 const LESS: f64 = 0.96;
@@ -67,7 +70,7 @@ impl Derivation<'_> {
         let mut options = Options::default();
         options.scheme.size = options.scheme.size * smaller;
         options.scheme.grows = smaller >= 1.0;
-        draw(kind, &self.scene, &options).unwrap_or_default()
+        drawn_for_paper(kind, Subject::from(&self.scene), &options)
     }
 
     fn figure(
@@ -111,4 +114,46 @@ impl Derivation<'_> {
         }
         Figure { svg: sheet.svg(Theme::Auto), name, caption: self.caption(caption, part) }
     }
+}
+
+/// The pictures of a kind, none where there is nothing to show; of plots as many as paper needs.
+#[must_use]
+pub fn drawn_for_paper(kind: Kind, subject: Subject<'_, '_>, options: &Options) -> Vec<Drawing> {
+    match kind {
+        Kind::Plot => {
+            let mut drawings = plots(subject, &plotted(subject.mechanism), options);
+            for (i, drawing) in drawings.iter_mut().enumerate().skip(1) {
+                drawing.id += &format!("-{}", i + 1);
+            }
+            drawings
+        }
+        _ => draw(kind, subject, options).unwrap_or_default(),
+    }
+}
+
+/// The items of `find` with numbers, those of a panel together.
+fn plotted(mechanism: &Mechanism) -> Vec<usize> {
+    let numbers = mechanism.finds.iter().enumerate().filter_map(|(i, find)| match &find.kind {
+        FindKind::Value { display, poseless: false, .. } => Some((i, display)),
+        _ => None,
+    });
+    let numbers: Vec<(usize, &Display)> = numbers.collect();
+    let panel = |(_, of): &(usize, &Display)| {
+        numbers.iter().position(|(_, d)| (&d.unit, d.dimension) == (&of.unit, of.dimension))
+    };
+    let mut ordered = numbers.clone();
+    ordered.sort_by_key(panel);
+    ordered.into_iter().map(|(i, _)| i).collect()
+}
+
+/// A plot, or several where it would be too tall for paper.
+fn plots(subject: Subject<'_, '_>, items: &[usize], options: &Options) -> Vec<Drawing> {
+    let options = Options { plotted: items.to_vec(), ..options.clone() };
+    let drawn = draw(Kind::Plot, subject, &options).unwrap_or_default();
+    let is_tall = |drawing: &Drawing| drawing.clone().placed().bounds.size().y > TALLEST;
+    if items.len() < 2 || !drawn.iter().any(is_tall) {
+        return drawn;
+    }
+    let (first, rest) = items.split_at(items.len().div_ceil(2));
+    [plots(subject, first, &options), plots(subject, rest, &options)].concat()
 }

@@ -297,18 +297,12 @@ impl Derivation<'_> {
         self.requests(stage);
     }
 
-    /// `φ = 45 deg` of every drive.
+    /// `φ₁ = 45°` of every drive.
     pub fn drive_words(&self, values: &[DriveValue]) -> Vec<String> {
-        let mechanism = self.scene.mechanism();
-        let said = mechanism.drives.iter().zip(values).filter_map(|(drive, value)| {
-            let DriveValue::Scalar(x) = value else { return None };
-            let display = mechanism.drive_display(drive.target);
-            Some(format!("{} = {}", drive.name, display.text(Value::Scalar(*x), 5)))
-        });
-        said.collect()
+        assur_picture::drive_words(self.scene.mechanism(), values, &self.scene.greatest)
     }
 
-    /// `, φ = 45 deg`, where the drives are; of a motion under loads the instant before.
+    /// `, φ₁ = 45°`, where the drives are; of a motion under loads the instant before.
     fn position_words(&self) -> String {
         let mechanism = self.scene.mechanism();
         let said = self.drive_words(&self.scene.pose.drives);

@@ -17,8 +17,8 @@ const FILM_TIME: u32 = 600;
 #[derive(Clone, Debug, clap::Args)]
 pub struct Draw {
     /// Files to draw, and the pictures wanted: `scheme`, `velocities`, `accelerations`, `forces`, `lever`, `axial`,
-    /// `friction`, `curvature`, `train`, `plot "omega(rocker), Mb"`, `work`, `fourier`, `internal`, `planes`, `equilibrium`, `cam`, `hodograph rod.S`, `polar B`, `animation`
-    /// [default: scheme]
+    /// `friction`, `curvature`, `train`, `plot "omega(rocker), Mb"`, `work`, `fourier`, `internal`, `planes`, `equilibrium`, `cam`, `gears`, `elements`, `hodograph rod.S`, `polar B`, `animation`
+    /// [default: the first that the file has: mostly scheme]
     #[arg(required = true, value_name = "FILES PICTURES")]
     pub names: Vec<String>,
     /// Write one picture to this file (.svg, .png, .pdf, .gif, .apng, .dxf, .tikz, .tex), all to this page (.html), or to files in this folder
@@ -29,7 +29,7 @@ pub struct Draw {
     /// [default: that of the ending of OUT, else svg]
     #[arg(long, value_enum, value_name = "FORMAT")]
     pub format: Option<DrawFormat>,
-    /// Draw the pose of this name; may be repeated [default: all of a list, the first of a sweep]
+    /// Draw the pose of this name; may be repeated [default: all of a list, the first and the last of a motion under loads, the first of a sweep]
     #[arg(long, value_name = "NAME")]
     pub pose: Vec<String>,
     /// Draw this number of other poses pale behind the scheme
@@ -109,12 +109,22 @@ impl Draw {
             }
         }
         if self.all {
-            pictures = KINDS.into_iter().map(|kind| Picture { kind, of: String::new() }).collect();
+            pictures = KINDS.into_iter().map(Picture::from).collect();
         }
         if pictures.is_empty() {
-            pictures.push(Picture { kind: Kind::Scheme, of: String::new() });
+            pictures.push(Kind::Scheme.into());
         }
         (pictures, files)
+    }
+
+    /// How pictures are chosen.
+    #[must_use]
+    pub fn choice(&self) -> Choice {
+        match self.names.iter().any(|name| Kind::named(name).is_some()) {
+            _ if self.all => Choice::All,
+            true => Choice::Named,
+            false => Choice::First,
+        }
     }
 
     /// The first option that changes no picture that is wanted.
@@ -152,7 +162,8 @@ impl Draw {
             let is_none = self.numbers && self.loads == LoadsArg::None;
             is_none.then(|| CliError::NoEffect { option: "--numbers".to_owned(), help })
         };
-        let of_pose = || of("--pose", &|kind| !kind.is_of_sweep()).filter(|_| !self.pose.is_empty());
+        let of_pose =
+            || of("--pose", &|kind| kind.needs().place.is_of_position()).filter(|_| !self.pose.is_empty());
         let of_size = || of("--size", &Kind::has_size).filter(|_| self.size.is_some());
         of_scheme()
             .or_else(of_pose)
@@ -185,6 +196,22 @@ impl Draw {
     #[must_use]
     pub fn overrides(&self) -> Overrides {
         Overrides::set(self.settings.clone())
+    }
+}
+
+/// How pictures are chosen.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Choice {
+    Named,
+    /// All that a file has.
+    All,
+    /// The first that it has: the scheme, where it has a position.
+    First,
+}
+
+impl From<Kind> for Picture {
+    fn from(kind: Kind) -> Self {
+        Self { kind, of: String::new() }
     }
 }
 

@@ -3,25 +3,27 @@
 use super::{Drawing, output};
 #[cfg(feature = "gif")]
 use crate::cli::args::DrawFormat;
+use crate::cli::args::{Choice, Picture};
+use crate::cli::error::CliError;
 use crate::cli::variant_rows::ChosenRow;
-use crate::cli::{args::Picture, error::CliError};
 use crate::pipeline::{self, Solved};
 use assur_check::Overrides;
 use assur_drawing::Theme;
 use assur_math::math::Vec2;
 use assur_model::model::{Mechanism, Positions};
-use assur_picture::{Kind, Options, Scales, Scene, Scheme};
+use assur_picture::{Kind, Options, Place, Scales, Scene, Scheme, Subject};
 use assur_solve::solve::{Pose, PoseOrigin};
 use assur_syntax::document::Document;
 use assur_text::diagnostic::{Diagnosis, Problems};
 use assur_text::source::Source;
 use assur_worked::{Language, drawing_in, phrase};
+use std::borrow::Cow;
 
 /// A picture as text, with the name of its file.
 pub struct Page {
     /// Of its file, without its ending.
     pub name: String,
-    /// The folder of the file that is drawn.
+    /// The folder of the file that is drawn, as a title.
     pub chapter: String,
     pub text: String,
     pub ending: &'static str,
@@ -52,22 +54,29 @@ struct Ways {
 
 impl Pages<'_, '_> {
     pub fn all(&self, problems: &mut Problems) -> Vec<Page> {
-        let pictures = &self.drawing.pictures;
-        let of_cams = |picture: &Picture| picture.kind == Kind::Cam;
-        if self.solved.solution.poses.is_empty() && pictures.iter().all(of_cams) {
-            return self.cams(problems);
+        let mut found = Problems::new();
+        let scenes = self.scenes(&mut found);
+        let pictures = self.pictures(scenes.first());
+        if pictures.is_empty() || pictures.iter().any(|picture| picture.kind.needs().place.is_needed()) {
+            problems.append(found);
         }
-        let ways = self.ways();
-        let scenes = self.scenes(problems);
+        let ways = self.ways(&pictures);
         let (mut pages, mut lacking) = (Vec::new(), Vec::new());
-        for picture in pictures {
+        for picture in &*pictures {
             let plotted = items(self.source, &self.solved.compiled.mechanism, &picture.of);
             let options = Options { plotted, of: picture.of.clone(), arrows: ways.arrows, ..self.options() };
-            let shown = if picture.kind.is_of_sweep() { 1 } else { scenes.len() };
-            for scene in &scenes[..shown.min(scenes.len())] {
-                let turn = if picture.kind == Kind::Animation { &ways.frames } else { &ways.turn };
-                let name = self.name(picture, scene, scenes.len() > 1);
-                match self.drawn(picture.kind, &Scene { turn, ..*scene }, &options, &name) {
+            let turn = if picture.kind == Kind::Animation { &ways.frames } else { &ways.turn };
+            let mut shown: Vec<Option<&Scene<'_>>> = scenes.iter().map(Some).collect();
+            match picture.kind.needs().place {
+                Place::File => shown = vec![None],
+                Place::Way => shown.truncate(1),
+                Place::Any if shown.is_empty() => shown.push(None),
+                Place::Any | Place::Pose => {}
+            }
+            for scene in shown {
+                let name = self.name(picture, scene.filter(|_| scenes.len() > 1));
+                let scene = scene.map(|scene| Scene { turn, ..*scene });
+                match self.drawn(picture.kind, &self.subject(scene.as_ref()), &options, &name) {
                     Ok(drawn) => pages.extend(drawn),
                     // of all kinds those are left out that the file has no effects for
                     Err(_) if self.drawing.args.all => {}
@@ -82,13 +91,38 @@ impl Pages<'_, '_> {
                 }
             }
         }
+        if scenes.is_empty() && self.drawing.args.choice() == Choice::First && self.drawing.output.is_single()
+        {
+            // a cam has two
+            pages.truncate(1);
+        }
         pages
     }
 
-    fn ways(&self) -> Ways {
+    /// What is drawn, at a position or without one.
+    fn subject<'s>(&'s self, scene: Option<&'s Scene<'s>>) -> Subject<'s, 's> {
+        let Solved { compiled, solution, .. } = self.solved;
+        scene.map_or_else(
+            || Subject::without_position(&compiled.mechanism, solution, &self.source.name),
+            Subject::from,
+        )
+    }
+
+    /// The pictures that are wanted: where none is named all that the file has, or the first.
+    fn pictures<'s>(&'s self, scene: Option<&'s Scene<'s>>) -> Cow<'s, [Picture]> {
+        let subject = self.subject(scene);
+        let kinds = match self.drawing.args.choice() {
+            Choice::Named => return Cow::Borrowed(&self.drawing.pictures),
+            Choice::All => subject.kinds(),
+            Choice::First => subject.first_kind().into_iter().collect(),
+        };
+        kinds.into_iter().map(Picture::from).collect()
+    }
+
+    fn ways(&self, pictures: &[Picture]) -> Ways {
         let args = self.drawing.args;
         let (compiled, solution) = (&self.solved.compiled, &self.solved.solution);
-        let animated = self.drawing.pictures.iter().any(|picture| picture.kind == Kind::Animation);
+        let animated = pictures.iter().any(|picture| picture.kind == Kind::Animation);
         let traced = args.ghosts > 0 || !args.path.is_empty();
         let turn = if traced { pipeline::turn(compiled, solution) } else { Vec::new() };
         let (frames, arrows) = match self.frames() {
@@ -120,18 +154,18 @@ impl Pages<'_, '_> {
             scheme.dimensions = pipeline::dimensions(self.document, &self.solved.compiled.mechanism);
         }
         if let Some((width, height)) = args.size {
-            scheme.size = Vec2::new(width, height);
+            (scheme.size, scheme.grows) = (Vec2::new(width, height), false);
         }
         Options { scheme, frames: self.frames(), shown: args.arrows.map(Into::into), ..Options::default() }
     }
 
     /// The name of the file of a picture.
-    fn name(&self, picture: &Picture, scene: &Scene<'_>, of_several: bool) -> String {
+    fn name(&self, picture: &Picture, of_several: Option<&Scene<'_>>) -> String {
         let mut name = format!("{}-{}", self.stem(), picture.kind.name());
         if !picture.of.is_empty() {
             name += &format!("-{}", picture.of);
         }
-        if of_several && !picture.kind.is_of_sweep() {
+        if let Some(scene) = of_several.filter(|_| picture.kind.needs().place.is_of_position()) {
             name += &format!("-{}", scene.pose.name);
         }
         output::file_name(&name)
@@ -141,10 +175,13 @@ impl Pages<'_, '_> {
     fn drawn(
         &self,
         kind: Kind,
-        scene: &Scene<'_>,
+        subject: &Subject<'_, '_>,
         options: &Options,
         name: &str,
     ) -> Result<Vec<Page>, Diagnosis> {
+        let Some(scene) = subject.scene else {
+            return Ok(self.numbered(name, assur_picture::draw(kind, *subject, options)?));
+        };
         #[cfg(feature = "gif")]
         if self.drawing.output.format().is_some_and(DrawFormat::is_film) {
             return Ok(vec![self.film(scene, options, name)?]);
@@ -189,18 +226,6 @@ impl Pages<'_, '_> {
         Ok(Page { film: Some(film), ..self.page(name.to_owned(), String::new(), ending) })
     }
 
-    /// The cams of a file that has no position.
-    fn cams(&self, problems: &mut Problems) -> Vec<Page> {
-        let mechanism: &Mechanism = &self.solved.compiled.mechanism;
-        match assur_picture::cams_alone(mechanism, &self.source.name, &self.options().scheme.paper()) {
-            Ok(drawings) => self.numbered(&output::file_name(&format!("{}-cam", self.stem())), drawings),
-            Err(missing) => {
-                problems.push(missing);
-                Vec::new()
-            }
-        }
-    }
-
     fn language(&self) -> Language {
         self.drawing.args.language.into()
     }
@@ -212,10 +237,13 @@ impl Pages<'_, '_> {
         if self.row.name.is_empty() { stem } else { format!("{stem}-row-{}", self.row.name) }
     }
 
-    /// The folder of the file, without the way to it.
+    /// The folder of the file as a title: `Mass substitution` of `mass-substitution`.
     fn chapter(&self) -> String {
         let mut folders = self.source.name.rsplit(['/', '\\']).skip(1);
-        folders.next().filter(|folder| !matches!(*folder, "." | "..")).unwrap_or_default().to_owned()
+        let folder = folders.next().filter(|folder| !matches!(*folder, "." | "..")).unwrap_or_default();
+        let mut letters = folder.chars().map(|c| if matches!(c, '-' | '_') { ' ' } else { c });
+        letters.next().into_iter().flat_map(char::to_uppercase).collect::<String>()
+            + &letters.collect::<String>()
     }
 
     /// Pictures of one kind and one position as text, numbered where there are several.
@@ -248,7 +276,9 @@ impl Pages<'_, '_> {
         let of = |name: Option<&str>| Scene::of(solved.compiled.model(), &solved.solution, file, name);
         let listed = if named.is_empty() { listed(solved) } else { Vec::new() };
         let drawn = if self.drawing.output.is_single() { listed.len().min(1) } else { listed.len() };
-        if drawn < listed.len() && !self.drawing.pictures.iter().all(|picture| picture.kind.is_of_sweep()) {
+        if drawn < listed.len()
+            && self.drawing.pictures.iter().any(|picture| picture.kind.needs().place.is_of_position())
+        {
             let (first, count) = (listed[0].to_owned(), listed.len());
             problems.push(CliError::FirstPose { first, count });
         }
@@ -352,7 +382,8 @@ fn parts(list: &str) -> Vec<&str> {
 
 // The positions that are drawn where none is named.
 
-/// The names of the solved poses of a list, those of `pose` with them; none where a drive goes through a range.
+/// The names of the solved poses of a list, those of `pose` with them; of a motion under loads the first and the last. None where a
+/// drive goes through a range.
 pub fn listed(solved: &Solved) -> Vec<&str> {
     let drives = &solved.compiled.mechanism.drives;
     if drives.iter().any(|drive| matches!(drive.positions, Positions::Range { .. })) {
@@ -360,5 +391,9 @@ pub fn listed(solved: &Solved) -> Vec<&str> {
     }
     let asked = |origin: PoseOrigin| !matches!(origin, PoseOrigin::Expected(_));
     let poses = solved.solution.poses.iter().filter(|pose| asked(pose.origin) && pose.outcome.is_ok());
-    poses.map(|pose| pose.name.as_str()).collect()
+    let mut names: Vec<&str> = poses.map(|pose| pose.name.as_str()).collect();
+    if solved.compiled.mechanism.simulation.is_some() && names.len() > 2 {
+        names.drain(1..names.len() - 1);
+    }
+    names
 }

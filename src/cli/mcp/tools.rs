@@ -71,7 +71,7 @@ const TOOLS: [Tool; 5] = [
             let kinds: Vec<&str> = kinds().map(Kind::name).collect();
             json!({
                 "text": text(),
-                "pictures": { "type": "array", "items": { "type": "string", "enum": kinds }, "default": ["scheme"] },
+                "pictures": { "type": "array", "items": { "type": "string", "enum": kinds }, "description": "Without it the first that the text has: mostly the scheme" },
                 "pose": { "type": "string", "description": "The name of a position" },
                 "format": { "type": "string", "enum": ["svg", "png"], "default": "svg" },
             })
@@ -312,10 +312,8 @@ fn draw(arguments: &Map<String, Value>, alarm: &Alarm) -> Result<Answer, String>
     let source = source(arguments);
     let pixels = word(arguments, "format") == Some("png");
     let wanted = arguments.get("pictures").and_then(Value::as_array);
-    let wanted = wanted
-        .map_or_else(|| vec![Kind::Scheme.name()], |all| all.iter().filter_map(Value::as_str).collect());
     let mut chosen: Vec<Kind> = Vec::new();
-    for name in wanted {
+    for name in wanted.into_iter().flatten().filter_map(Value::as_str) {
         let Some(kind) = kinds().find(|kind| kind.name() == name) else {
             let near = did_you_mean(name, kinds().map(Kind::name));
             let help = near.first().map_or_else(String::new, |near| format!("; did you mean `{near}`?"));
@@ -342,6 +340,9 @@ fn draw(arguments: &Map<String, Value>, alarm: &Alarm) -> Result<Answer, String>
     };
     let (solved, mut problems) = pictured.solved(found, &chosen);
     let Some(solved) = solved else { return data(&json(&source, Err(compiled.as_ref()), &problems)) };
+    if chosen.is_empty() {
+        chosen.push(pictured.first_kind(&solved));
+    }
     let mut content = Vec::new();
     for kind in chosen {
         if !alarm.goes_on() {

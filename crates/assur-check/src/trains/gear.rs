@@ -5,6 +5,7 @@ use crate::expr::positive::Want;
 use crate::expr::property::{Read, Value, find, read};
 use crate::values::format_value::{digits, format_value};
 use assur_math::element::gear::{GearFault, GearPair, NoMesh, STANDARD_RACK, Teeth};
+use assur_model::model::Gears;
 use assur_syntax::document::{
     Document, End, Expr, Joint, JointKind, Member, Statement, WheelMember, WheelSize,
 };
@@ -20,19 +21,33 @@ impl Context<'_> {
     /// The geometry of a mesh. Its errors are reported once.
     pub(crate) fn gear_pair(&mut self, name: &str, asked: Span) -> Option<GearPair> {
         if let Some(known) = self.values.gears.get(name) {
-            return *known;
+            return known.as_ref().map(|gears| gears.pair);
         }
         let doc = self.doc;
         let joint = doc.statements.iter().find_map(|s| match &s.node {
             Statement::Joint(j) if j.kind.node == JointKind::Mesh && j.name.node == name => Some(j),
             _ => None,
         });
-        let pair = joint.and_then(|joint| self.build(joint, asked));
-        self.values.gears.insert(name.to_owned(), pair);
+        let gears = joint.and_then(|joint| self.build(joint, asked));
+        let pair = gears.as_ref().map(|gears| gears.pair);
+        self.values.gears.insert(name.to_owned(), gears);
         pair
     }
 
-    fn build(&mut self, joint: &Joint, asked: Span) -> Option<GearPair> {
+    /// Keeps all meshes whose geometry is known, asked for or not.
+    pub(crate) fn keep_gears(&mut self) {
+        for statement in &self.doc.statements {
+            let Statement::Joint(joint) = &statement.node else { continue };
+            if joint.kind.node == JointKind::Mesh {
+                self.quietly(|cx| cx.gear_pair(&joint.name.node, joint.name.span));
+            }
+        }
+        let are_whole = |gears: &Gears| gears.pair.gears.iter().all(|g| g.alpha_a.is_finite() && g.sa > 0.0);
+        self.builder.mech.gears =
+            self.values.gears.values().flatten().filter(|g| are_whole(g)).cloned().collect();
+    }
+
+    fn build(&mut self, joint: &Joint, asked: Span) -> Option<Gears> {
         // what is wrong with the properties is said where the mesh is checked, before anything is asked
         let properties =
             self.quietly(|cx| read(cx, "a mesh", &joint.properties, properties_of_pair(JointKind::Mesh)))?;
@@ -82,7 +97,7 @@ impl Context<'_> {
                 pair.faults()
                     .into_iter()
                     .for_each(|fault| self.gear_fault(&pair, &mesh, &names, fault, swapped));
-                Some(pair)
+                Some(Gears { mesh: mesh.0, wheels: names, pair })
             }
             Err(NoMesh(involute)) => {
                 self.error(
@@ -144,6 +159,12 @@ impl Context<'_> {
             if let Some(module) = &wheel.module {
                 modules.push(self.wheel_value(module, Dimension::LENGTH, "the module")?);
             }
+        }
+        if modules.is_empty() {
+            // that of another mesh
+            let known = |name: &str| self.builder.mech.wheels.iter().find(|w| w.name == name && !w.open);
+            let all = wheels.iter().filter_map(|wheel| known(&wheel.name.node));
+            modules.extend(all.filter_map(|wheel| Some(2.0 * wheel.radius / wheel.teeth?)).next());
         }
         match modules[..] {
             [one] => Some((z, one)),

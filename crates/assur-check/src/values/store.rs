@@ -6,8 +6,7 @@ use crate::values::{
     typed::Typed,
     unit_use::UnitUse,
 };
-use assur_math::element::gear::GearPair;
-use assur_model::model::{Curve, LinkId};
+use assur_model::model::{Curve, Gears, LinkId};
 use assur_syntax::document::WheelMember;
 use assur_text::units::Dimension;
 use indexmap::IndexMap;
@@ -15,7 +14,7 @@ use std::collections::BTreeSet;
 use std::sync::Arc;
 
 /// The gear pairs that are known, by the names of their meshes; `None` for those with an error.
-pub type Gears = IndexMap<String, Option<GearPair>>;
+pub type KnownGears = IndexMap<String, Option<Gears>>;
 
 /// A curve that can be called.
 #[derive(Clone)]
@@ -37,7 +36,7 @@ pub struct Values<'a> {
     /// The sizes of wheels.
     pub sizes: Sizes<'a>,
     /// The gear pairs whose geometry was asked for.
-    pub gears: Gears,
+    pub gears: KnownGears,
     /// The curves without an error, by their names.
     pub curves: IndexMap<String, CheckedCurve>,
 }
@@ -50,7 +49,7 @@ impl<'a> Values<'a> {
             units,
             definitions: Definitions::default(),
             sizes: Sizes::default(),
-            gears: Gears::new(),
+            gears: KnownGears::new(),
             curves: IndexMap::new(),
         }
     }

@@ -5,6 +5,7 @@ use crate::element::{cam::Cam, geneva::Geneva};
 use crate::math::{Piece, TableFunction, Vec2};
 use crate::source::Span;
 use crate::units::significant;
+use assur_text::language::Function;
 
 /// A designed plate cam.
 #[derive(Clone, Debug)]
@@ -235,5 +236,28 @@ impl Curve {
     pub fn extent(&self) -> String {
         let (first, last) = self.function.range();
         format!("{} to {}", self.shown(first), self.shown(last))
+    }
+}
+
+/// A formula of a machine element whose numbers are known: `journal_torque(load = 5 kN, …)`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FormulaCall {
+    pub function: Function,
+    /// Its arguments, SI.
+    pub values: Vec<(&'static str, f64)>,
+    pub result: f64,
+}
+
+impl FormulaCall {
+    /// An argument, where it is given.
+    #[must_use]
+    pub fn value(&self, name: &str) -> Option<f64> {
+        self.values.iter().find(|(known, _)| *known == name).map(|(_, value)| *value)
+    }
+
+    /// An argument that is not optional: it is there.
+    #[must_use]
+    pub fn must(&self, name: &str) -> f64 {
+        self.value(name).unwrap_or(f64::NAN)
     }
 }

@@ -23,7 +23,7 @@ pub use cam_part::{CAM_PARTS, CamPart};
 pub use display::Display;
 pub use display::Spacing;
 pub use element::{CamContact, GenevaPair, PlateCam, Table, TableEntry};
-pub use element::{Curve, CurvePart};
+pub use element::{Curve, CurvePart, FormulaCall};
 pub use element::{Flywheel, FlywheelPart, FlywheelTorque, Rim};
 pub use expr::{
     Axis, BinaryOp, Comparison, Expr, Function, PointRef, Quantity, Query, SubstitutionPart, Value,
@@ -45,7 +45,7 @@ pub use request::{At, Expect, Find, FindKind, Relation, Tolerance, Unsupported};
 pub use simulation::{Bound, Cycle, CycleFunction, Harmonic, Part};
 pub use simulation::{Event, Occasion, Simulation, Situation, Steady, Stop};
 pub use train::{
-    Bevel, FrictionLimit, Law, Meeting, OpenSize, Rate, Transmission, TransmissionKind, Wheel,
+    Bevel, FrictionLimit, Gears, Law, Meeting, OpenSize, Rate, Transmission, TransmissionKind, Wheel,
     counts_from_carrier,
 };
 
@@ -64,6 +64,8 @@ pub struct Mechanism {
     /// All pairs as declared; a pin in several links is one of them.
     pub pairs: Vec<Pair>,
     pub wheels: Vec<Wheel>,
+    /// Wheels in mesh, as far as teeth and modules are given.
+    pub gears: Vec<Gears>,
     /// Sizes that are not given, and assumed.
     pub open_sizes: Vec<OpenSize>,
     pub groups: Vec<GroupAssertion>,
@@ -99,6 +101,8 @@ pub struct Mechanism {
     pub springs: Vec<Spring>,
     pub balances: Vec<Balance>,
     pub cams: Vec<PlateCam>,
+    /// Formulas of bearings, belts and screws.
+    pub formulas: Vec<FormulaCall>,
     /// Their contacts with followers.
     pub cam_contacts: Vec<CamContact>,
     /// Pins in the slots of Geneva wheels.

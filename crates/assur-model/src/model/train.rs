@@ -1,6 +1,7 @@
 //! Wheels, and what runs between wheels and sliders: laws between rates with constant coefficients.
 
 use super::{LinkId, PairId};
+use crate::element::gear::GearPair;
 use crate::math::Vec2;
 use crate::source::Span;
 use assur_text::language::JointKind;
@@ -20,6 +21,16 @@ pub struct Wheel {
     /// The radius depends on a size that is assumed: by teeth alone only ratios of radii are known.
     pub open: bool,
     pub teeth: Option<f64>,
+}
+
+/// Two wheels with teeth in mesh whose geometry is known.
+#[derive(Clone, Debug)]
+pub struct Gears {
+    /// The name of the mesh.
+    pub mesh: String,
+    /// Their names, the pinion's first.
+    pub wheels: [String; 2],
+    pub pair: GearPair,
 }
 
 /// A size that the file leaves open and that is assumed: no answer may depend on it.

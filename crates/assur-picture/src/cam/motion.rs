@@ -1,8 +1,8 @@
 //! The motion of a follower over a turn of its cam: lift, its first and second derivative, the pressure angle, stages.
 
-use super::Subject;
 use crate::diagram::{Axis, LETTERS, Line, Panel, printed, scaled, with_unit};
 use crate::figures::{cleared, place, value_text};
+use crate::scene::Subject;
 use assur_drawing::{Drawing, Label, Level, Shape, Style, Text};
 use assur_math::element::cam::{CamPoint, Quantity};
 use assur_math::math::Vec2;
@@ -28,8 +28,8 @@ struct CurveOfLaw {
 
 /// The motion of a cam's follower.
 pub fn motion(subject: &Subject<'_, '_>, plate: &PlateCam) -> Drawing {
-    let title = format!("{}: motion of the follower of the cam {}", subject.title, plate.name);
-    let id = format!("{}-motion-{}", subject.id, plate.name);
+    let title = format!("{}: motion of the follower of the cam {}", subject.title(), plate.name);
+    let id = format!("{}-motion-{}", subject.id("cam"), plate.name);
     let mut drawing = Drawing::new(&id, title, String::new());
     let along = Display { unit: "deg".to_owned(), factor: 1f64.to_radians(), ..Display::default() };
     let x = Axis::between(0.0, 360.0, 13.0, true);

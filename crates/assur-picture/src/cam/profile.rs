@@ -1,8 +1,8 @@
 //! The profile with base circle, path of the roller's centre, follower, common normal and pressure angle.
 
-use super::Subject;
 use crate::inset::flipped;
 use crate::paper::{Frame, Paper, Scaled};
+use crate::scene::Subject;
 use crate::scheme::length_scale;
 use crate::symbol::{arrow, guide, hinge};
 use crate::words;
@@ -39,8 +39,8 @@ pub fn profile(
     let name = &placed.plate.name;
     let scene = subject.scene.filter(|_| placed.contact.is_some());
     let place = scene.map(words::at_position).unwrap_or_default();
-    let title = format!("{}: cam {name}{place}", subject.title);
-    let id = format!("{}-{name}", subject.id);
+    let title = format!("{}: cam {name}{place}", subject.title());
+    let id = format!("{}-{name}", subject.id("cam"));
     let mut drawing = Drawing::new(&id, title, said(placed));
     let sketch = Sketch { subject, placed, frame: &frame };
     sketch.plate(&mut drawing, &rim, &tips);

@@ -32,11 +32,11 @@ const AROUND: Vec2 = Vec2::new(40.0, 36.0);
 const LETTERS: f64 = 4.0;
 const POINT: f64 = 4.4;
 
-/// The picture of friction at a position.
+/// The pairs with friction.
 ///
 /// # Errors
 /// No pair has friction; the forces are not known.
-pub fn friction(scene: &Scene<'_>, paper: &Paper) -> Result<Drawing, Diagnosis> {
+pub fn frictions(scene: &Scene<'_>) -> Result<Vec<PairFriction>, Diagnosis> {
     if !scene.mechanism().pairs.iter().any(|p| p.friction.is_some_and(|f| f.is_some())) {
         return Err(Diagnosis::error(
             "mech::picture::no_friction",
@@ -61,6 +61,15 @@ pub fn friction(scene: &Scene<'_>, paper: &Paper) -> Result<Drawing, Diagnosis> 
     if frictions.is_empty() {
         return Err(error::nothing_placed(scene, "friction is drawn at its pairs"));
     }
+    Ok(frictions)
+}
+
+/// The picture of friction at a position.
+///
+/// # Errors
+/// There is none.
+pub fn friction(scene: &Scene<'_>, paper: &Paper) -> Result<Drawing, Diagnosis> {
+    let frictions = frictions(scene)?;
     let all = shapes(scene);
     let links: Vec<LinkId> = (1..all.len())
         .map(LinkId::at)

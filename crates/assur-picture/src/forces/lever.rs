@@ -2,7 +2,8 @@
 //! all forces about the pole add up to nothing, which is the balance of powers.
 
 use super::actions::Force;
-use super::{is_loaded, powers};
+use super::is_loaded;
+use super::powers::{self, Term};
 use crate::error;
 use crate::figures::{cleared, plain};
 use crate::inset::{flipped, freest};
@@ -28,20 +29,18 @@ const USUAL: usize = 8;
 const BETWEEN: f64 = 16.0;
 /// The most forces of which a plan can be read.
 const READABLE: usize = 60;
-/// How many times as large as usual the plan is, at most.
-const MOST: f64 = 4.0;
-/// No sheet is so large, mm: what is farther off has no place on it, beside images that are together in one point but for rounding.
-const FARTHEST: f64 = 1e4;
+/// The largest sheet without the lines below it, mm.
+const MOST: Vec2 = Vec2::new(227.0, 166.0);
 /// What is nearer to a bar lies on it, mm.
 const ON_BAR: f64 = 0.3;
 /// Powers less than this part of the greatest there could be are none.
 const DEAD: f64 = 1e-12;
 
-/// The lever at a position.
+/// The images of a file that has a lever.
 ///
 /// # Errors
 /// There are no velocities, no forces, or no link has a place.
-pub fn lever(scene: &Scene<'_>, paper: &Paper) -> Result<Drawing, Diagnosis> {
+pub fn levered(scene: &Scene<'_>) -> Result<(Nodes, Vec<Term>), Diagnosis> {
     if !scene.model.plan.effects.moving {
         return Err(error::no_speed(scene, "velocities"));
     }
@@ -63,6 +62,21 @@ pub fn lever(scene: &Scene<'_>, paper: &Paper) -> Result<Drawing, Diagnosis> {
         return Err(error::nothing_placed(scene, "the lever is a plan of velocities"));
     }
     let terms = powers::terms(scene);
+    let fastest = greatest(scene)[1];
+    let turns = |f: &Force| image(scene, f.on, f.at).norm() > ROUNDING * fastest;
+    if !terms.iter().flat_map(|term| &term.forces).any(turns) {
+        let help = "draw another position, or `forces`";
+        return Err(error::no_forces("on a lever they have no arm: each acts at a point at rest", help));
+    }
+    Ok((nodes, terms))
+}
+
+/// The lever at a position.
+///
+/// # Errors
+/// It has none, or too many forces to be read.
+pub fn lever(scene: &Scene<'_>, paper: &Paper) -> Result<Drawing, Diagnosis> {
+    let (nodes, terms) = levered(scene)?;
     let mut forces: Vec<&Force> = terms.iter().flat_map(|term| &term.forces).collect();
     let most = forces.iter().map(|f| f.force.norm()).fold(0.0, f64::max);
     forces.retain(|f| f.force.norm() > ROUNDING * most);
@@ -73,11 +87,15 @@ pub fn lever(scene: &Scene<'_>, paper: &Paper) -> Result<Drawing, Diagnosis> {
     bounds.add(Vec2::zero());
     nodes.nodes.iter().for_each(|n| bounds.add(turned(scene, n.velocity(scene))));
     forces.iter().for_each(|f| bounds.add(image(scene, f.on, f.at)));
+    nodes.others(scene).for_each(|(link, _, at)| bounds.add(image(scene, link, at)));
+    let arms = || terms.iter().flat_map(|term| &term.arms);
+    arms().for_each(|(link, arm)| arm.iter().for_each(|at| bounds.add(image(scene, *link, *at))));
     let frame = roomy(scene, &forces, &bounds, paper)?;
     let largest = terms.iter().map(|t| t.power.abs()).fold(0.0, f64::max);
     let sum: f64 = terms.iter().map(|t| t.power).sum();
     // where nothing does work, at a dead position, all terms are rounding
-    let scale = if largest > DEAD * greatest(scene) { largest } else { greatest(scene) };
+    let [most, speed] = greatest(scene);
+    let scale = if largest > DEAD * most * speed { largest } else { most * speed };
     let share = if scale > 0.0 { sum.abs() / scale } else { 0.0 };
     let powers: Vec<(Text, f64)> = terms
         .iter()
@@ -97,11 +115,9 @@ pub fn lever(scene: &Scene<'_>, paper: &Paper) -> Result<Drawing, Diagnosis> {
     );
     let mut drawing = Drawing::new(&crate::words::id(scene, "lever"), title, description);
     plan(scene, &nodes, &frame, &mut drawing);
-    for (link, arm) in terms.iter().flat_map(|term| &term.arms) {
+    for (link, arm) in arms() {
         let [a, b] = arm.map(|at| frame.point(image(scene, *link, at)));
-        if a.norm().max(b.norm()) < FARTHEST {
-            drawing.line(Style::Thin, a, b);
-        }
+        drawing.line(Style::Thin, a, b);
     }
     arrows(scene, &frame, &forces, &mut drawing);
     captions(&mut drawing, &frame, nodes.pole(scene), &powers);
@@ -136,13 +152,13 @@ fn roomy(scene: &Scene<'_>, forces: &[&Force], bounds: &Rect, paper: &Paper) -> 
     if !paper.grows || forces.len() <= USUAL || half >= BETWEEN {
         return Ok(frame);
     }
-    let plan = paper.size - AROUND;
-    let size = plan * (BETWEEN / half).min(MOST) + AROUND;
+    let plan = (paper.size - AROUND) * (BETWEEN / half) + AROUND;
+    let size = Vec2::new(plan.x.min(MOST.x), plan.y.min(MOST.y));
     Paper { size, ..*paper }.plan(Scaled::Velocity, bounds, AROUND)
 }
 
-/// The power of the greatest force and the greatest moment at the greatest speeds.
-fn greatest(scene: &Scene<'_>) -> f64 {
+/// The greatest force and the greatest moment, and the greatest speeds, as a force and a velocity.
+fn greatest(scene: &Scene<'_>) -> [f64; 2] {
     let state = &scene.solved.state;
     let (mut force, mut moment, mut v, mut omega) = (0.0_f64, 0.0_f64, 0.0_f64, 0.0_f64);
     for wrench in &state.forces.applied {
@@ -152,7 +168,7 @@ fn greatest(scene: &Scene<'_>) -> f64 {
         (v, omega) = (v.max(body.v.norm()), omega.max(body.omega.abs()));
     }
     let extent = assur_solve::solve::extent(&scene.model);
-    (force + moment / extent) * (v + omega * extent)
+    [force + moment / extent, v + omega * extent]
 }
 
 /// A velocity turned by 90° against the first link that turns, so that the image of a crank lies as the crank.
@@ -200,7 +216,7 @@ fn plan(scene: &Scene<'_>, nodes: &Nodes, frame: &Frame, drawing: &mut Drawing) 
     }
     for (link, name, at) in nodes.others(scene) {
         let at = frame.point(image(scene, link, at));
-        if at.norm() < FARTHEST && names.iter().all(|(p, _)| (*p - at).norm() > SAME) {
+        if names.iter().all(|(p, _)| (*p - at).norm() > SAME) {
             names.push((at, vec![other_image(scene, link, name)]));
             // its velocity, where no bar shows it
             if bars.iter().all(|bar| bar.distance(at * 0.5) > ON_BAR) {

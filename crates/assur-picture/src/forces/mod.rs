@@ -7,8 +7,8 @@ mod lever;
 mod polygon;
 mod powers;
 
-pub use friction::friction;
-pub use lever::lever;
+pub use friction::{friction, frictions};
+pub use lever::{lever, levered};
 
 use crate::error;
 use crate::error::no_forces_for;
@@ -37,23 +37,26 @@ pub struct Part {
 /// # Errors
 /// There are no forces: nothing loads the mechanism, they are not determined, or friction locks it.
 pub fn forces(scene: &Scene<'_>, paper: &Paper) -> Result<Vec<Drawing>, Diagnosis> {
+    let (mut drawings, shapes) = (Vec::new(), shapes(scene));
+    for (part, free) in freed(scene)? {
+        drawings.push(free_body::draw((scene, &shapes), &part, &free, paper)?);
+        drawings.extend(polygon::draw(scene, &part, &free, paper)?);
+    }
+    Ok(drawings)
+}
+
+/// What is freed, with the forces on it.
+///
+/// # Errors
+/// As [`forces()`].
+pub fn freed(scene: &Scene<'_>) -> Result<Vec<(Part, FreeBody)>, Diagnosis> {
     partly_determined(scene)?;
     if !is_loaded(&scene.model) {
         return Err(nothing_loads());
     }
-    let (mut drawings, shapes) = (Vec::new(), shapes(scene));
-    for part in parts(scene) {
-        let Some(free) = FreeBody::of(scene, &part) else { continue };
-        if free.forces.is_empty() {
-            continue;
-        }
-        drawings.push(free_body::draw((scene, &shapes), &part, &free, paper)?);
-        drawings.extend(polygon::draw(scene, &part, &free, paper)?);
-    }
-    if drawings.is_empty() {
-        return Err(error::nothing_placed(scene, "forces act at points"));
-    }
-    Ok(drawings)
+    let all = parts(scene).into_iter().filter_map(|part| FreeBody::of(scene, &part).map(|free| (part, free)));
+    let all: Vec<(Part, FreeBody)> = all.filter(|(_, free)| !free.forces.is_empty()).collect();
+    if all.is_empty() { Err(error::nothing_placed(scene, "forces act at points")) } else { Ok(all) }
 }
 
 /// Refuses where there are no forces or they are not known.

@@ -12,11 +12,11 @@ use assur_math::math::Vec2;
 use assur_model::model::LinkId;
 use assur_text::diagnostic::Diagnosis;
 
-/// The plan of accelerations at a position.
+/// The points of a plan.
 ///
 /// # Errors
 /// No drive has a speed; no link has a place.
-pub fn accelerations(scene: &Scene<'_>, paper: &Paper) -> Result<Drawing, Diagnosis> {
+pub fn with_accelerations(scene: &Scene<'_>) -> Result<Nodes, Diagnosis> {
     if !scene.model.plan.effects.timed {
         return Err(error::no_speed(scene, "accelerations"));
     }
@@ -24,6 +24,15 @@ pub fn accelerations(scene: &Scene<'_>, paper: &Paper) -> Result<Drawing, Diagno
     if nodes.nodes.is_empty() {
         return Err(error::nothing_placed(scene, "a plan shows accelerations of points"));
     }
+    Ok(nodes)
+}
+
+/// The plan of accelerations at a position.
+///
+/// # Errors
+/// No drive has a speed; no link has a place.
+pub fn accelerations(scene: &Scene<'_>, paper: &Paper) -> Result<Drawing, Diagnosis> {
+    let nodes = with_accelerations(scene)?;
     let all: Vec<Vec2> = nodes.nodes.iter().map(|n| n.acceleration(scene)).collect();
     let parts = parts(scene, &nodes);
     let mut ends = all.clone();

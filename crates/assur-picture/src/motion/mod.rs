@@ -4,9 +4,9 @@ mod acceleration;
 mod nodes;
 mod velocity;
 
-pub use acceleration::accelerations;
+pub use acceleration::{accelerations, with_accelerations};
 pub use nodes::{Nodes, acceleration as acceleration_at, velocity as velocity_at};
-pub use velocity::velocities;
+pub use velocity::{velocities, with_velocities};
 
 use crate::figures::plain;
 use crate::paper::{Frame, Paper, Scaled};
@@ -217,7 +217,8 @@ impl PlanOf {
             let mut text = Text::default();
             for (i, (at, names)) in line.iter().enumerate() {
                 text = text.and(if i > 0 { ",  " } else { "" }, false, Level::Base);
-                let runs = pole.iter().chain(names.first()).flat_map(|name| name.runs.iter().cloned());
+                let runs =
+                    pole.first().into_iter().chain(names.first()).flat_map(|name| name.runs.iter().cloned());
                 text.runs.extend(runs);
                 text = text.and(&format!(" = {:.1} mm", at.norm()), false, Level::Base);
             }

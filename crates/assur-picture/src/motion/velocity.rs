@@ -11,11 +11,11 @@ use assur_math::math::Vec2;
 use assur_model::model::LinkId;
 use assur_text::diagnostic::Diagnosis;
 
-/// The plan of velocities at a position.
+/// The points of a plan.
 ///
 /// # Errors
 /// No drive has a speed; no link has a place.
-pub fn velocities(scene: &Scene<'_>, paper: &Paper) -> Result<Drawing, Diagnosis> {
+pub fn with_velocities(scene: &Scene<'_>) -> Result<Nodes, Diagnosis> {
     if !scene.model.plan.effects.moving {
         return Err(error::no_speed(scene, "velocities"));
     }
@@ -23,6 +23,15 @@ pub fn velocities(scene: &Scene<'_>, paper: &Paper) -> Result<Drawing, Diagnosis
     if nodes.nodes.is_empty() {
         return Err(error::nothing_placed(scene, "a plan shows velocities of points"));
     }
+    Ok(nodes)
+}
+
+/// The plan of velocities at a position.
+///
+/// # Errors
+/// No drive has a speed; no link has a place.
+pub fn velocities(scene: &Scene<'_>, paper: &Paper) -> Result<Drawing, Diagnosis> {
+    let nodes = with_velocities(scene)?;
     let all: Vec<Vec2> = nodes.nodes.iter().map(|n| n.velocity(scene)).collect();
     let ratios = if scene.model.plan.effects.timed { "" } else { " for a unit speed of the drive" };
     let pole = nodes.pole(scene);

@@ -18,7 +18,7 @@ const PARTS: i32 = 60;
 const NUMBER: f64 = 3.6;
 
 /// A circle that touches a path, m.
-pub(super) struct Circle {
+pub struct Circle {
     name: String,
     radius: f64,
     line: Vec<Vec2>,
@@ -27,7 +27,7 @@ pub(super) struct Circle {
 }
 
 /// The circles of the points whose curvature is asked for, as far as they have one, about a mechanism of that size.
-fn circles(scene: &Scene<'_>, size: f64) -> Vec<Circle> {
+pub fn circles(scene: &Scene<'_>, size: f64) -> Vec<Circle> {
     let (mechanism, view) = (scene.mechanism(), scene.view());
     let mut all: Vec<Circle> = Vec::new();
     let mut add = |query: &Query| {

@@ -21,7 +21,7 @@ mod ways;
 mod weld;
 
 pub use axial::axial;
-pub use curvature::curvature;
+pub use curvature::{circles, curvature};
 pub use dimension::{Dimension, Measured};
 pub use freed::Freed;
 use mesh::crossed;

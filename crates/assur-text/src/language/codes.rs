@@ -338,6 +338,8 @@ pub static CODES: &[Code] = codes! {
     "picture" / "no_planes",
     "picture" / "no_equilibrium",
     "picture" / "no_cam",
+    "picture" / "no_gears",
+    "picture" / "no_elements",
     "picture" / "unknown",
     "picture" / "no_point",
     "picture" / "no_way",

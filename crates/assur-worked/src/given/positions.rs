@@ -8,7 +8,6 @@ use assur_formula::{Name, name_node};
 use assur_model::model::{Drive, DriveTarget, Mechanism};
 use assur_syntax::document::{DrivePosition, Expr, ExprKind, Statement, Steps};
 use assur_syntax::given::{Datum, GivenLine, GivenValue, Shown};
-use assur_text::units::{Dimension, lookup};
 
 impl<'a> Telling<'a> {
     /// The last line: where the drives are, unless headings have it.
@@ -123,10 +122,6 @@ fn equal(letter: Option<Name>, value: Line) -> Line {
 /// φ of a link, s of a slide, indexed by its number or its name.
 #[must_use]
 pub fn drive_letter(mechanism: &Mechanism, drive: &Drive) -> Name {
-    let display = mechanism.drive_display(drive.target);
-    let is_length = lookup(&display.unit).is_ok_and(|unit| unit.dimension.fits(Dimension::LENGTH));
-    let letter = if is_length { "s" } else { "φ" };
-    let link = mechanism.links.iter().find(|link| link.name == drive.name);
-    let number = link.and_then(|link| link.number.clone());
-    Name::new(letter, &number.unwrap_or_else(|| drive.name.clone()))
+    let (letter, index) = assur_picture::drive_letter(mechanism, drive);
+    Name::new(letter, index)
 }

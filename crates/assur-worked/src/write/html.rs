@@ -318,5 +318,5 @@ nav ol{columns:2;padding-left:1.2em}a{color:var(--acc);text-decoration:none}
 h2,h3{break-after:avoid}figure,table,.eq{break-inside:avoid}.eq,.tab,figure{overflow:visible}
 .long{break-inside:auto}.eq.long{margin:0;padding:0 0 0 2em}tr{break-inside:avoid}
 table.vec{white-space:nowrap;font-size:.88em}h2{margin-top:1.2em}td,th{padding:.12em .6em}nav{display:none}.two{display:block;orphans:1;widows:1;word-spacing:2.5rem}.two figure{display:inline-block;vertical-align:bottom;word-spacing:normal}
-.fit{font-size:calc(1em*var(--fit))}.free svg{max-height:118mm}.sheet h1{font-size:14pt}.room{min-height:14mm;break-inside:avoid}.sheet+.sheet{break-before:page;margin:0}@page{size:A4;margin:16mm 14mm}body{font-size:10.5pt;max-width:none;padding:0}}
+.fit{font-size:calc(1em*var(--fit))}.free svg{max-height:150mm}.sheet h1{font-size:14pt}.room{min-height:14mm;break-inside:avoid}.sheet+.sheet{break-before:page;margin:0}@page{size:A4;margin:16mm 14mm}body{font-size:10.5pt;max-width:none;padding:0}}
 ";

@@ -82,6 +82,7 @@ impl Context<'_> {
         if given.pending {
             Some(Typed::pending(typed.ty))
         } else {
+            self.keep_formula(bearing.function(), &given, &typed);
             self.finite(typed, "this torque is not defined", call.span)
         }
     }

@@ -38,7 +38,7 @@ impl Context<'_> {
             exponent = over(exponent, sine);
         }
         self.formula_value(
-            call,
+            (call, Function::BeltRatio),
             &given,
             fold::power(Expr::number(E), exponent),
             Dimension::NUMBER,
@@ -68,12 +68,12 @@ impl Context<'_> {
         let arm = over(diameter, Expr::number(2.0));
         let torque = times(times(given.must("load"), arm), tangent);
         let why = "the angles of lead and friction add up to 90 deg or more";
-        self.formula_value(call, &given, torque, Dimension::TORQUE, why)
+        self.formula_value((call, function), &given, torque, Dimension::TORQUE, why)
     }
 
     fn formula_value(
         &mut self,
-        call: Call<'_>,
+        (call, function): (Call<'_>, Function),
         given: &Given<'_>,
         expr: Expr,
         dimension: Dimension,
@@ -83,6 +83,8 @@ impl Context<'_> {
         if given.pending {
             return Some(Typed::pending(ty));
         }
-        self.finite(Typed::new(expr, ty), why, call.span)
+        let typed = Typed::new(expr, ty);
+        self.keep_formula(function, given, &typed);
+        self.finite(typed, why, call.span)
     }
 }

@@ -3,7 +3,8 @@
 use crate::expr::context::Context;
 use crate::expr::results::Call;
 use crate::statements::written::written;
-use assur_model::model::Expr as ModelExpr;
+use crate::values::typed::Typed;
+use assur_model::model::{Expr as ModelExpr, FormulaCall, Value};
 use assur_syntax::document::Expr;
 use assur_text::diagnostic::{Diagnosis, Help};
 use assur_text::language::{Function, Takes};
@@ -33,12 +34,31 @@ impl<'e> Given<'e> {
         self.others.iter().find(|(n, _)| *n == name).map(|(_, expr)| *expr)
     }
 
+    /// The values, where all are numbers.
+    fn numbers(&self) -> Option<Vec<(&'static str, f64)>> {
+        let number = |(name, value): &(&'static str, ModelExpr)| match value {
+            ModelExpr::Constant(Value::Scalar(x)) => Some((*name, *x)),
+            _ => None,
+        };
+        self.values.iter().map(number).collect()
+    }
+
     fn has(&self, name: &str) -> bool {
         self.values.iter().any(|(n, _)| *n == name) || self.others.iter().any(|(n, _)| *n == name)
     }
 }
 
 impl Context<'_> {
+    /// Keeps a formula of a machine element whose numbers are known, once.
+    pub(super) fn keep_formula(&mut self, function: Function, given: &Given<'_>, found: &Typed) {
+        let (Some(values), Some(Value::Scalar(result))) = (given.numbers(), found.value()) else { return };
+        let formula = FormulaCall { function, values, result };
+        let formulas = &mut self.builder.mech.formulas;
+        if result.is_finite() && !formulas.contains(&formula) {
+            formulas.push(formula);
+        }
+    }
+
     /// The named arguments of a function; reports those that are unknown, repeated or missing.
     pub(super) fn named_arguments<'e>(&mut self, call: Call<'e>, function: Function) -> Option<Given<'e>> {
         let known = function.row().forms.iter().flat_map(|form| form.takes);
