@@ -65,7 +65,14 @@ impl<'a> Sketch<'a, '_> {
             let at = self.frame.point(g.through);
             let along = crate::inset::flipped(g.along);
             let (least, greatest) = self.scene.way(id);
-            let (low, high) = (self.frame.length(least), self.frame.length(greatest));
+            let (low, high) = match self.only {
+                None => (self.frame.length(least), self.frame.length(greatest)),
+                // of links alone the place of the block is shown, and not its way
+                Some(_) => {
+                    let here = (self.on_paper(g.slider, g.point) - at).dot(along);
+                    (here, here)
+                }
+            };
             let ends = self.along_block(g, along);
             let (from, to) = (low + ends.0 - BEYOND, high + ends.1 + BEYOND);
             drawing.line(Style::Axis, at + along * (from - 4.0), at + along * (to + 4.0));
