@@ -6,9 +6,8 @@ use crate::scene::Subject;
 use crate::symbol::{arrow, hinge};
 use assur_drawing::{Drawing, Label, Level, Role, Shape, Style, Text, on_circle};
 use assur_math::math::Vec2;
-use assur_model::model::FormulaCall;
+use assur_model::model::{FormulaCall, FormulaFunction as Function};
 use assur_text::diagnostic::Diagnosis;
-use assur_text::language::Function;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Radius of the circle of a journal, a ring or a pulley, mm.
