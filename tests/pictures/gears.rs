@@ -110,3 +110,24 @@ fn gears_have_the_circles_of_their_table_and_touch_on_the_line_of_action() {
     assert!(count > 20, "{count} meshes");
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
+
+#[test]
+fn the_reaction_of_a_journal_is_against_its_turn() {
+    let text = "find M = journal_torque(load = 5 kN, radius = 20 mm, friction = 0.12) as N*m\n";
+    let (source, solved) = solved("journal", text).expect("solved");
+    let sheet = sheets(&source, &solved, Kind::Elements).remove(0);
+    let mut marks = sheet.drawing.marks.iter();
+    let found = marks.find_map(|mark| match mark.shape {
+        Shape::Arrow(from, to) if mark.style == Style::Unknown => Some((from, to)),
+        _ => None,
+    });
+    let (from, to) = found.expect("the reaction");
+    let mut marks = sheet.drawing.marks.iter();
+    let circle = marks.find_map(|mark| match mark.shape {
+        Shape::Circle { radius, .. } if mark.style == Style::FrictionCircle => Some(radius),
+        _ => None,
+    });
+    // y of paper goes down, and the shaft turns counter-clockwise
+    let arm = from.cross((to - from).unit().expect("a direction"));
+    assert!((arm - circle.expect("the circle of friction")).abs() < NEAR, "{arm}");
+}

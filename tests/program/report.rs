@@ -43,7 +43,7 @@ fn parts_poses_and_languages_are_chosen() {
     assert!(out.stdout.contains("1 Structure\n") && out.stdout.contains("2 Results\n"), "{}", out.stdout);
     assert!(!out.stdout.contains("Positions"), "{}", out.stdout);
     let second = assur(&folder, &["report", "a.mech", "--pose", "2"]);
-    assert!(second.stdout.contains("crank = 90 deg"), "{}", second.stdout);
+    assert!(second.stdout.contains("φ = 90°"), "{}", second.stdout);
     let russian = assur(&folder, &["report", "a.mech", "--lang", "ru"]);
     assert!(russian.stdout.contains("Положения"), "{}", russian.stdout);
 }

@@ -6,9 +6,8 @@ use crate::scene::Subject;
 use crate::symbol::{arrow, hinge};
 use assur_drawing::{Drawing, Label, Level, Role, Shape, Style, Text, on_circle};
 use assur_math::math::Vec2;
-use assur_model::model::FormulaCall;
+use assur_model::model::{FormulaCall, FormulaFunction as Function};
 use assur_text::diagnostic::Diagnosis;
-use assur_text::language::Function;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Radius of the circle of a journal, a ring or a pulley, mm.
@@ -123,10 +122,10 @@ fn journal(drawing: &mut Drawing, call: &FormulaCall) {
     });
     drawing.mark(Style::Thin, Shape::Strokes(hatch.collect()));
     turning(drawing, centre, 0.72 * RADIUS);
-    let (down, right) = (Vec2::new(0.0, ARROW), Vec2::new(rho, 0.0));
+    let (down, left) = (Vec2::new(0.0, ARROW), Vec2::new(-rho, 0.0));
     force(drawing, Style::Force, [centre, down], Text::italic("F"), true);
-    // it turns to the left at the bottom: friction pushes to the right of it
-    force(drawing, Style::Unknown, [right + down * 1.2, right + down * 0.2], Text::italic("R"), false);
+    // its moment about the centre is against the turn
+    force(drawing, Style::Unknown, [left + down * 1.2, left + down * 0.2], Text::italic("R"), false);
     radius(drawing, centre, RADIUS, -FRAC_PI_2 + 0.9, Text::italic("r"));
     let at = on_circle(centre, rho, -FRAC_PI_2 - 0.7);
     drawing.label(Label::at(Text::italic("ρ"), NAMES, at, 0.6).towards(at).coloured(Role::Blue).ranked(2));

@@ -34,7 +34,7 @@ const MOST_GAPS: usize = 40;
 /// Intervals of a gap at the most, the right ones and those with a part of the points aside.
 const MOST_SLIPS: usize = 24;
 /// The pictures of a solution take no more, bytes.
-const MOST_PICTURES: usize = 70_000;
+const MOST_PICTURES: usize = 80_000;
 
 /// Why there is no question.
 #[derive(Clone, Debug, Error, Diagnostic)]

@@ -5,7 +5,7 @@ use crate::element::{cam::Cam, geneva::Geneva};
 use crate::math::{Piece, TableFunction, Vec2};
 use crate::source::Span;
 use crate::units::significant;
-use assur_text::language::Function;
+pub use assur_text::language::Function as FormulaFunction;
 
 /// A designed plate cam.
 #[derive(Clone, Debug)]
@@ -242,7 +242,7 @@ impl Curve {
 /// A formula of a machine element whose numbers are known: `journal_torque(load = 5 kN, …)`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FormulaCall {
-    pub function: Function,
+    pub function: FormulaFunction,
     /// Its arguments, SI.
     pub values: Vec<(&'static str, f64)>,
     pub result: f64,

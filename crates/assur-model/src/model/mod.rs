@@ -23,7 +23,7 @@ pub use cam_part::{CAM_PARTS, CamPart};
 pub use display::Display;
 pub use display::Spacing;
 pub use element::{CamContact, GenevaPair, PlateCam, Table, TableEntry};
-pub use element::{Curve, CurvePart, FormulaCall};
+pub use element::{Curve, CurvePart, FormulaCall, FormulaFunction};
 pub use element::{Flywheel, FlywheelPart, FlywheelTorque, Rim};
 pub use expr::{
     Axis, BinaryOp, Comparison, Expr, Function, PointRef, Quantity, Query, SubstitutionPart, Value,
