@@ -8,10 +8,11 @@ use crate::scene::{Scene, marked_events};
 use crate::{no_diagram, words};
 use assur_drawing::{CURVES, Drawing, Label, Shape, Style, Text};
 use assur_math::math::Vec2;
-use assur_model::model::{Axis as Component, Display, Expr, FindKind, Value};
+use assur_model::model::{Axis as Component, Display, Expr, FindKind, LinkId, PairId, Value};
 use assur_solve::answer::NoSweep;
 use assur_solve::solve::{Cause, Course, CourseSet, Courses, DriveValue, Pose, PoseOrigin, courses};
 use assur_text::diagnostic::Diagnosis;
+use assur_text::language::{Index, letter_of};
 
 /// Width of a panel, mm, and the height of one, two and more.
 const WIDTH: f64 = 150.0;
@@ -201,7 +202,7 @@ pub fn items(scene: &Scene<'_>, which: &[usize]) -> Vec<Item> {
             continue;
         }
         let mut item = |plain: String, expr: Expr| {
-            items.push(Item { name: name(&plain), plain, display: display.clone(), expr });
+            items.push(Item { name: name(scene, &plain), plain, display: display.clone(), expr });
         };
         match view.value(expr) {
             Value::Scalar(_) => item(find.name.clone(), expr.clone()),
@@ -213,19 +214,71 @@ pub fn items(scene: &Scene<'_>, which: &[usize]) -> Vec<Item> {
             Value::Bool(_) => {}
         }
     }
+    // of two that have one letter both are as they are written
+    let names: Vec<String> = items.iter().map(|item| item.name.plain()).collect();
+    for (i, item) in items.iter_mut().enumerate() {
+        if (0..names.len()).any(|j| j != i && names[j] == names[i]) {
+            item.name = written(&item.plain);
+        }
+    }
     items
 }
 
-/// A name as a label; an expression as it is written.
-fn name(plain: &str) -> Text {
-    if plain.chars().all(|c| c.is_alphanumeric() || matches!(c, '_' | '\'')) {
+/// A name as a label; what is asked of a part of the mechanism by its letter, another expression as it is written.
+fn name(scene: &Scene<'_>, plain: &str) -> Text {
+    if plain.chars().all(in_name) {
         return Text::name(plain);
     }
+    letter(scene, plain).unwrap_or_else(|| written(plain))
+}
+
+fn written(plain: &str) -> Text {
     if plain.chars().count() <= LONGEST {
         return Text::upright(plain);
     }
     let head: String = plain.chars().take(LONGEST - 1).collect();
     Text { full: Some(plain.to_owned()), ..Text::upright(&(head + "…")) }
+}
+
+fn in_name(c: char) -> bool {
+    c.is_alphanumeric() || matches!(c, '_' | '\'')
+}
+
+/// `omega(rocker)` as ω₃, `velocity(coupler.E).x` as v_Ex.
+fn letter(scene: &Scene<'_>, plain: &str) -> Option<Text> {
+    let plain = plain.strip_prefix("mag(").and_then(|inner| inner.strip_suffix(')')).unwrap_or(plain);
+    let (function, rest) = plain.split_once('(')?;
+    let (inner, axis) = rest.rsplit_once(')')?;
+    let axis =
+        if axis.is_empty() { "" } else { axis.strip_prefix('.').filter(|a| matches!(*a, "x" | "y"))? };
+    let arguments: Vec<&str> = inner.split(',').map(str::trim).filter(|one| !one.is_empty()).collect();
+    if !arguments.iter().all(|one| one.chars().all(|c| in_name(c) || c == '.')) {
+        return None;
+    }
+    let mechanism = scene.mechanism();
+    let link = |name: &str| mechanism.links.iter().position(|link| link.name == name).map(LinkId::at);
+    if let ("reaction", [pair, on]) = (function, arguments.as_slice()) {
+        let pair = PairId::at(mechanism.pairs.iter().position(|own| own.name == *pair)?);
+        let on = link(on)?;
+        let from = mechanism.pair(pair).kind.links().into_iter().find(|link| *link != on)?;
+        let mut name = scene.reaction_name(pair, from, on);
+        name.runs.last_mut()?.letters.push_str(axis);
+        return Some(name);
+    }
+    let (letter, index) = letter_of(function)?;
+    // x_B and not r_Bx
+    let (letter, axis) = if function == "position" && !axis.is_empty() { (axis, "") } else { (letter, axis) };
+    let of = |one: &&str| match link(one) {
+        Some(link) => scene.link_label(link).to_owned(),
+        None => one.rsplit('.').next().unwrap_or(one).to_owned(),
+    };
+    let index = match index {
+        Index::All => arguments.iter().map(of).collect::<Vec<_>>().join(","),
+        Index::Behind(before) => format!("{before}{}", arguments.first().map(of)?),
+        Index::Own(own) => own.to_owned(),
+    };
+    let name = Text::italic(letter);
+    Some(if index.is_empty() && axis.is_empty() { name } else { name.lowered(&(index + axis)) })
 }
 
 fn listed(scene: &Scene<'_>, items: &[Item]) -> String {

@@ -10,7 +10,7 @@ use assur_model::model::{DriveTarget, Mechanism, PairKind, Pin};
 use assur_syntax::document::{
     Arg, BinaryOp, CompareOp, Expr, ExprKind, Number, Passing, PassingSense, Statement, UnaryOp,
 };
-use assur_text::language::Function as Builtin;
+use assur_text::language::{Function as Builtin, Index, letter_of};
 use assur_text::source::Source;
 use std::sync::Arc;
 
@@ -325,7 +325,7 @@ impl Writer<'_> {
         }
         let parts = || args.iter().map(|arg| self.index(&arg.value)).collect::<Option<Vec<_>>>();
         let first = || args.first().map_or_else(|| Some(String::new()), |arg| self.index(&arg.value));
-        Some(leaf(match (function, lettered(function)) {
+        Some(leaf(match (function, letter_of(function)) {
             ("effort", _) => {
                 let drive = first()?;
                 Name::new(if self.turns(&drive) { "M" } else { "F" }, &drive)
@@ -387,64 +387,6 @@ impl Writer<'_> {
             },
         }
     }
-}
-
-/// The index of a letter: its arguments, the first of them behind something, or one of its own.
-enum Index {
-    All,
-    Behind(&'static str),
-    Own(&'static str),
-}
-
-/// The letter of what is asked of a part of the mechanism.
-fn lettered(function: &str) -> Option<(&'static str, Index)> {
-    use Index::{All, Behind, Own};
-    Some(match function {
-        "omega" => ("ω", All),
-        "alpha" => ("α", All),
-        "angle" => ("φ", All),
-        "velocity" => ("v", All),
-        "acceleration" => ("a", All),
-        "jerk" => ("j", All),
-        "angular_jerk" => ("ζ", All),
-        "position" => ("r", All),
-        "relative_velocity" | "slip_speed" => ("v", All),
-        "relative_acceleration" => ("a", All),
-        "displacement" => ("s", All),
-        "stroke" => ("H", All),
-        "time_ratio" => ("K", All),
-        "pressure_angle" => ("α", All),
-        "transmission_angle" => ("μ", All),
-        "contact_ratio" => ("ε", All),
-        "axial" => ("N", All),
-        "reaction" => ("R", All),
-        "normal" => ("N", All),
-        "moment" => ("M", All),
-        "friction" => ("F", Behind("f")),
-        "tangential_force" => ("F", Behind("t,")),
-        "normal_force" => ("F", Behind("n,")),
-        "tight_side" => ("F", Behind("1,")),
-        "slack_side" => ("F", Behind("2,")),
-        "tension" => ("S", Behind("")),
-        "journal_torque" | "thrust_torque" => ("M", Own("f")),
-        "efficiency" => ("η", Own("")),
-        "kinetic_energy" => ("E", Own("k")),
-        "potential_energy" => ("E", Own("p")),
-        "energy" => ("E", Own("")),
-        "period" => ("T", Own("")),
-        "time" => ("t", All),
-        "count" => ("n", All),
-        "speed" => ("ω", All),
-        "curvature_radius" => ("ρ", All),
-        "power" => ("P", All),
-        "radius" => ("r", All),
-        "dir" => ("∠", All),
-        "start" => ("s₀", All),
-        "mass" => ("m", All),
-        "mass_centre" => ("S", All),
-        "inertia" => ("J", All),
-        _ => return None,
-    })
 }
 
 fn of_number(number: &Number) -> Formula {

@@ -6,6 +6,7 @@ mod dimension;
 mod function;
 mod functions;
 mod kinds;
+mod letters;
 mod properties;
 mod units;
 mod words;
@@ -16,6 +17,7 @@ pub use function::{Argument, Form, FunctionGroup, FunctionRow, Gives, Takes};
 pub use functions::{FUNCTIONS, Function};
 pub use kinds::{COLLECTIONS, Collection};
 pub use kinds::{CamLaw, JointKind, LAWS, PAIRS};
+pub use letters::{Index, letter_of};
 pub use properties::{
     BRAKE, CAM, COUNTERWEIGHT, FLYWHEEL, FOLLOWER, PROPERTIES, RIM, SPRING, STOP, TORSION_SPRING,
     properties_of_pair,
