@@ -1,10 +1,16 @@
 //! Involute gears: every measure of the table with its formula, lengths in mm.
 
 use super::page::{Page, given};
-use crate::document::text;
-use crate::words::DesignMessage as Message;
+use crate::course::plain;
+use crate::document::{Block, Figure, text};
+use crate::localised::drawing_in;
+use crate::pictures::drawn_for_paper;
+use crate::words::{DesignMessage as Message, say};
+use assur_drawing::Theme;
 use assur_formula::{Expr, Function, Name, Unit};
 use assur_model::model::{FindKind, Mechanism, Table};
+use assur_picture::{Kind, Options, Subject};
+use assur_solve::solve::Solution;
 
 /// Measures that are lengths.
 const LENGTHS: [&str; 14] = ["m", "a", "p", "pb", "c", "d", "da", "df", "db", "dw", "s", "e", "sa", "g"];
@@ -51,7 +57,7 @@ fn radians(angle: &Expr) -> Expr {
 }
 
 impl Page {
-    pub(super) fn gears(&mut self, mechanism: &Mechanism) {
+    pub(super) fn gears(&mut self, mechanism: &Mechanism, solution: &Solution) {
         let tables: Vec<(&str, &Table)> = mechanism
             .finds
             .iter()
@@ -64,9 +70,23 @@ impl Page {
             let mesh = name.trim_start_matches("table(").trim_end_matches(')');
             let several = if tables.len() > 1 { mesh.to_owned() } else { String::new() };
             self.heading(Message::GearsOf, &[vec![text(mesh)]]);
+            self.picture_of_gears(mechanism, solution, mesh);
             self.say(Message::LengthsInMillimetres, &[]);
             self.gear_pair(&Gears { table, name: several });
         }
+    }
+
+    /// The two wheels from the front, under the heading of their mesh.
+    fn picture_of_gears(&mut self, mechanism: &Mechanism, solution: &Solution, mesh: &str) {
+        let subject = Subject::without_position(mechanism, solution, "");
+        let drawings = drawn_for_paper(Kind::Gears, subject, &Options::default());
+        let own = mechanism.gears.iter().zip(drawings).find(|(gears, _)| gears.mesh == mesh);
+        let Some((_, drawing)) = own else { return };
+        let mut drawing = drawing_in(self.language, mechanism, drawing);
+        drawing.title = plain(&say(self.language, Message::GearsOf, &[vec![text(mesh)]]));
+        let caption = drawing.title.clone();
+        let svg = drawing.placed().svg(Theme::Auto);
+        self.blocks.push(Block::Figures(vec![Figure { svg, name: Kind::Gears.name().to_owned(), caption }]));
     }
 
     fn gear_pair(&mut self, gears: &Gears<'_>) {

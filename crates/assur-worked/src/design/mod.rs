@@ -18,6 +18,6 @@ pub fn design(model: Model<'_>, solution: &Solution, language: Language) -> Page
     page.cycle(&model, solution);
     page.flywheels(&model, solution);
     page.cams(model.mechanism);
-    page.gears(model.mechanism);
+    page.gears(model.mechanism, solution);
     page
 }
