@@ -270,7 +270,8 @@ impl Asking<'_> {
     ) -> (QuestionMessage, Vec<Line>) {
         let pair = self.mechanism.pair(id);
         let wheels: Vec<&Wheel> = match &pair.kind {
-            PairKind::Transmission(t) => t
+            // with losses the two wheels have not the same force
+            PairKind::Transmission(t) if on.is_some() || t.laws.iter().all(|l| l.efficiency.is_none()) => t
                 .ends
                 .iter()
                 .filter_map(|end| self.mechanism.wheels.iter().find(|w| w.name == *end))
