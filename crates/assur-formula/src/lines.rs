@@ -1,6 +1,9 @@
 //! Equations over several lines: broken at "=", then at + and −.
 
+use crate::expr::Expr;
+use crate::lay::{letters, name_node};
 use crate::node::Node;
+use crate::quantity::Name;
 
 /// An equation as lines: what is found, then the lines of its sides.
 #[derive(Clone, Debug, PartialEq)]
@@ -31,6 +34,13 @@ impl Lines {
     pub fn with_commas(self) -> Self {
         let rows = self.rows.into_iter().map(|(row, goes_on)| (row.with_commas(), goes_on)).collect();
         Self { left: self.left.with_commas(), rows }
+    }
+
+    /// A sum that is zero, in letters alone.
+    #[must_use]
+    pub fn zero(name: &Name, sum: &Expr) -> Self {
+        let side = |of: &Expr| Node::Row(vec![Node::Operator("="), letters(of)]);
+        Self::broken(name_node(name), vec![side(sum), side(&Expr::ZERO)])
     }
 
     /// One line where it fits, else one per side, else broken before + and −.

@@ -13,6 +13,8 @@ pub enum Unit {
     Area,
     /// °
     Angle,
+    /// rad
+    Radian,
     /// m/s
     Velocity,
     /// m/s²
@@ -72,6 +74,7 @@ impl Unit {
             Self::PerArea => "1/m²",
             Self::Area => "m²",
             Self::Angle => "°",
+            Self::Radian => "rad",
             Self::Velocity => "m/s",
             Self::Acceleration => "m/s²",
             Self::AngularVelocity => "rad/s",

@@ -1,7 +1,8 @@
 //! The formulas of the laws of cams.
 
-use assur_formula::{Expr, Function};
+use assur_formula::{Expr, Function, Name, Unit, quantity};
 use assur_math::element::cam::Law;
+use assur_math::math::SAME;
 
 /// The greatest acceleration of a modified law.
 pub fn greatest_acceleration(law: Law) -> Expr {
@@ -19,7 +20,7 @@ pub const fn is_of_half(law: Law) -> bool {
 }
 
 /// The way h f(x) of a law, and h times its first and second derivative by x, with the law's constants.
-pub fn shape(law: Law, h: &Expr, x: &Expr, place: f64, constants: &[Expr]) -> Option<[Expr; 3]> {
+fn shape(law: Law, h: &Expr, x: &Expr, place: f64, constants: &[Expr]) -> Option<[Expr; 3]> {
     let int = Expr::Int;
     let (h, x) = (|| h.clone(), || x.clone());
     let square = || x().squared();
@@ -120,16 +121,37 @@ fn modified(law: Law, x: &Expr, place: f64) -> [Expr; 3] {
     [way, int(1) / fourth() + int(1) / int(4) + angle().sin() / fourth(), angle().cos()]
 }
 
-/// The derivatives by the cam's angle in radians, from those by the part of a stage of this angle in degrees; a lift that is an angle is in
-/// degrees itself.
-pub fn derivatives(turns: bool, slope: Expr, bend: Expr, angle: Expr) -> [Expr; 2] {
-    if turns {
-        return [over(slope, angle.clone()), over(Expr::Int(180) * bend, Expr::Pi * angle.squared())];
-    }
-    [
-        over(Expr::Int(180) * slope, Expr::Pi * angle.clone()),
-        over(Expr::Int(180) * Expr::Int(180) * bend, Expr::Pi.squared() * angle.squared()),
-    ]
+/// The way of a law at a part of its stage and its derivatives by the cam's angle in rad, with the change of the lift in the unit of the
+/// lift and in that of the derivatives (rad where it is an angle), and with the angle of the stage in rad. A law of halves has the
+/// formulas of the first, mirrored.
+pub fn derived(
+    law: Law,
+    [h, own]: [&Expr; 2],
+    (place, part): (f64, Expr),
+    constants: &[Expr],
+    angle: &Expr,
+) -> Option<[Expr; 3]> {
+    let mirrored = is_of_half(law) && place > 0.5;
+    let (place, part) = if mirrored { (1.0 - place, Expr::Int(1) - part) } else { (place, part) };
+    let [way, ..] = shape(law, h, &part, place, constants)?;
+    let [_, slope, bend] = shape(law, own, &part, place, constants)?;
+    let [way, bend] = if mirrored { [h.clone() - way, -bend] } else { [way, bend] };
+    // the terms of a spline of angles are in degrees
+    let degrees = matches!(law, Law::Spline(_)) && h != own;
+    let [slope, bend] = [slope, bend].map(|x| if degrees { Expr::Pi * x / Expr::Int(180) } else { x });
+    Some([way, over(slope, angle.clone()), over(bend, angle.clone().squared())])
+}
+
+/// An angle in rad, from its degrees.
+pub fn in_radians(angle: f64) -> Expr {
+    let degrees = angle.to_degrees();
+    let whole = degrees.round();
+    let own = if (degrees - whole).abs() <= SAME {
+        Expr::Degrees(whole as i64)
+    } else {
+        quantity(Name::default(), degrees, Unit::Angle)
+    };
+    own * Expr::Pi / Expr::Degrees(180)
 }
 
 /// A quotient without a fraction in its numerator and without what cancels: powers of π, whole numbers.

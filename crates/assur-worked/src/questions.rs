@@ -8,7 +8,7 @@ use assur_formula::{Node, name_node};
 use assur_math::math::{SAME, Vec2};
 use assur_model::model::{
     Axis, BalanceKind, CycleFunction, Expr, Find, FindKind, FlywheelPart, Function, LinkId, Mechanism,
-    PairId, PairKind, PointRef, Query, SubstitutionPart,
+    PairId, PairKind, PointRef, Query, SubstitutionPart, Wheel,
 };
 
 /// The questions of a file, one after another.
@@ -202,8 +202,14 @@ impl Asking<'_> {
             Query::Travel(id) => (M::Travel, vec![pair(id)]),
             Query::Stroke(id) => (M::Stroke, vec![pair(id)]),
             Query::TimeRatio(id) => (M::TimeRatio, vec![pair(id)]),
-            Query::TangentialForce(id, _) => (M::TangentialForce, vec![pair(id)]),
-            Query::ToothForce(id, _) => (M::ToothForce, vec![pair(id)]),
+            Query::TangentialForce(id, on) => self.of_wheels(
+                *id,
+                *on,
+                [M::TangentialForce, M::TangentialForceOn, M::TangentialForceBetween],
+            ),
+            Query::ToothForce(id, on) => {
+                self.of_wheels(*id, *on, [M::ToothForce, M::ToothForceOn, M::ToothForceBetween])
+            }
             Query::Tension(id, ..) => (M::Tension, vec![pair(id)]),
             Query::TightSide(id) => (M::TightSide, vec![pair(id)]),
             Query::SlackSide(id) => (M::SlackSide, vec![pair(id)]),
@@ -253,6 +259,32 @@ impl Asking<'_> {
     fn event(&self, id: usize) -> Option<Vec<Line>> {
         let name = self.mechanism.events.get(id)?.name.as_deref()?;
         Some(vec![vec![text(name)]])
+    }
+
+    /// A force between two wheels: in their transmission, on one from the other, between both.
+    fn of_wheels(
+        &self,
+        id: PairId,
+        on: Option<LinkId>,
+        [within, one, between]: [QuestionMessage; 3],
+    ) -> (QuestionMessage, Vec<Line>) {
+        let pair = self.mechanism.pair(id);
+        let wheels: Vec<&Wheel> = match &pair.kind {
+            // with losses the two wheels have not the same force
+            PairKind::Transmission(t) if on.is_some() || t.laws.iter().all(|l| l.efficiency.is_none()) => t
+                .ends
+                .iter()
+                .filter_map(|end| self.mechanism.wheels.iter().find(|w| w.name == *end))
+                .collect(),
+            _ => Vec::new(),
+        };
+        let named = |wheel: &Wheel| vec![text(&*wheel.name)];
+        match (wheels.as_slice(), on) {
+            ([a, b], None) => (between, vec![named(a), named(b)]),
+            ([a, b], Some(link)) if a.link == link => (one, vec![named(a), named(b)]),
+            ([a, b], Some(link)) if b.link == link => (one, vec![named(b), named(a)]),
+            _ => (within, vec![self.pair(id)]),
+        }
     }
 
     fn letters(&self, name: &str) -> Line {

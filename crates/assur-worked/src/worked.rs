@@ -223,8 +223,6 @@ impl Derivation<'_> {
                 self.substitutions();
             }
             Part::Forces if forces && self.nothing_acts() => {
-                self.head(Message::Reactions);
-                self.say(Message::NothingActs, &[]);
                 self.counts.forces[0] += self.scene.model.plan.forces.len();
             }
             Part::Forces if forces => {

@@ -1,7 +1,7 @@
 //! Plate cams: the law by stages, a check of it inside every stage, and the base triangle.
 
 use super::page::{Page, chosen, given};
-use crate::cam_law::{derivatives, greatest_acceleration, is_of_half, shape};
+use crate::cam_law::{derived, greatest_acceleration, in_radians};
 use crate::document::{Line, text};
 use crate::spline::{Spline, Term};
 use crate::words::DesignMessage as Message;
@@ -73,16 +73,26 @@ impl Page {
     ) -> Option<[Expr; 3]> {
         let (phase, index) = (phases.get(at)?, &(at + 1).to_string());
         let scale = if letters.turns { DEGREES } else { 1.0 };
-        let angle = given(letters.of("Φ", index), phase.angle.to_degrees(), Unit::Angle);
+        let angle = self.in_radians(letters.of("Φ", index), phase.angle);
         let h = given(letters.of("h", index), scale * phase.change, letters.unit());
         let from = given(letters.of("s", &format!("0,{index}")), scale * phase.from, letters.unit());
         let constant = self.constant(phases, letters, at);
-        let mirrored = is_of_half(phase.law) && place > 0.5;
-        let (place, part) = if mirrored { (1.0 - place, Expr::Int(1) - part) } else { (place, part) };
-        let [way, slope, bend] = shape(phase.law, &h, &part, place, &constant)?;
-        let [way, bend] = if mirrored { [h - way, -bend] } else { [way, bend] };
-        let [first, second] = derivatives(letters.turns, slope, bend, angle);
+        let is_spline = matches!(phase.law, Law::Spline(_));
+        let own = if letters.turns && !is_spline {
+            self.in_radians(letters.of("h", index), phase.change)
+        } else {
+            h.clone()
+        };
+        let [way, first, second] = derived(phase.law, [&h, &own], (place, part), &constant, &angle)?;
         Some([from + way, first, second])
+    }
+
+    /// An angle of the file in rad, written once.
+    fn in_radians(&mut self, name: Name, angle: f64) -> Expr {
+        match self.written(&name) {
+            Some(known) => known,
+            None => self.equate(name, angle, Unit::Radian, in_radians(angle)),
+        }
     }
 
     /// What a law has besides the way: the greatest acceleration of modified ones, the terms of a piece of a spline.

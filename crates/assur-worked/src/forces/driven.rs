@@ -1,6 +1,7 @@
 //! The balance of a link: moments about its hinge, or forces along its guide, give the unknown effort.
 
 use super::loads::quantity_name;
+use super::sums::axes_of;
 use crate::angle::Angle;
 use crate::course::Derivation;
 use crate::document::{Line, text};
@@ -96,8 +97,11 @@ impl Derivation<'_> {
                 hold.iter().for_each(|hold| self.found_hold(body, hold, moment.clone()));
             }
             EffortLine::Torque { .. } => {
-                let right = if sign < 0.0 { moment } else { -moment };
-                self.equate_or_nothing(&name, value, Unit::Torque, right);
+                let right = if sign < 0.0 { moment.clone() } else { -moment.clone() };
+                let begun = self.blocks.len();
+                let found = self.equate_or_nothing(&name, value, Unit::Torque, right);
+                let own = if sign < 0.0 { -found } else { found };
+                self.balanced(begun, &Name::new("ΣM", &point), &(moment + own));
                 self.effort_on_others(slot, &[body]);
             }
             EffortLine::Force { line, .. } => {
@@ -107,9 +111,12 @@ impl Derivation<'_> {
                 let right = d[0].clone() * angle.sin() - d[1].clone() * angle.cos();
                 let arm = (self.moved(body).position(place) - self.moved(body).position(at)).cross(along);
                 let arm = self.component(Name::new("h", &name.sub_or_letter()), arm, Unit::Length, right);
-                let right = if sign < 0.0 { moment / arm } else { -(moment / arm) };
+                let whole = moment.clone() / arm.clone();
+                let right = if sign < 0.0 { whole } else { -whole };
+                let begun = self.blocks.len();
                 let found = self.equate(name.clone(), value, Unit::Force, right);
                 let on = if sign < 0.0 { -found } else { found };
+                self.balanced(begun, &Name::new("ΣM", &point), &(moment + on.clone() * arm));
                 pushed = [on.clone() * angle.cos(), on * angle.sin()];
             }
             EffortLine::Along(_) => {}
@@ -129,7 +136,7 @@ impl Derivation<'_> {
         if right.iter().any(|x| !x.is_zero()) {
             self.say(Message::SumOfLink, &[vec![text(self.label(body))]]);
         }
-        let parts = self.reaction(hinge.base, body, value, right);
+        let parts = self.reaction_in_sums([hinge.base, body], value, right, body);
         self.carry(hinge.slot, &parts, &Expr::ZERO);
     }
 
@@ -162,16 +169,22 @@ impl Derivation<'_> {
                 hold.iter().for_each(|hold| self.found_hold(body, hold, way.along(&sums)));
             }
             EffortLine::Along(_) => {
-                let right = signed(-way.along(&sums));
-                self.equate_or_nothing(&name, value, Unit::Force, right);
+                let loads = way.along(&sums);
+                let begun = self.blocks.len();
+                let found = self.equate_or_nothing(&name, value, Unit::Force, signed(-loads.clone()));
+                self.balanced(begun, &Name::new("ΣF", axes_of(&way)[0]), &(loads + signed(found)));
                 self.effort_on_others(slot, &[body]);
             }
             EffortLine::Force { line, .. } => {
                 let (point, angle, _) = self.line_of_effort(*line, body);
                 let lean = angle.minus(&way);
-                let right = signed(-(way.along(&sums) / lean.cos()));
+                let loads = way.along(&sums);
+                let right = signed(-(loads.clone() / lean.cos()));
+                let begun = self.blocks.len();
                 let found = self.equate(name.clone(), value, Unit::Force, right);
                 let on = signed(found);
+                let sum = loads + on.clone() * lean.cos();
+                self.balanced(begun, &Name::new("ΣF", axes_of(&way)[0]), &sum);
                 across = across + on.clone() * lean.sin();
                 let parts = [on.clone() * angle.cos(), on * angle.sin()];
                 let known = [Vec::new(), Vec::new()];

@@ -136,6 +136,27 @@ impl Derivation<'_> {
         parts
     }
 
+    /// The same from the sums of forces on one of the two bodies.
+    pub(super) fn reaction_in_sums(
+        &mut self,
+        [from, on]: [usize; 2],
+        value: Vec2,
+        right: [Expr; 2],
+        freed: usize,
+    ) -> [Expr; 2] {
+        let name = self.reaction_name(from, on);
+        let [x, y] = right;
+        let parts = [("x", value.x, x), ("y", value.y, y)].map(|(axis, value, right)| {
+            let at = self.blocks.len();
+            let found = self.equate(name.and(axis), value, Unit::Force, right.clone());
+            let sum = if freed == on { found.clone() - right } else { right - found.clone() };
+            self.balanced(at, &Name::new("ΣF", axis), &sum);
+            found
+        });
+        self.magnitude(name, &parts);
+        parts
+    }
+
     /// The magnitude of a force from its components.
     pub fn magnitude(&mut self, name: Name, parts: &[Expr; 2]) -> Expr {
         self.length_of(name, Unit::Force, parts)

@@ -230,9 +230,10 @@ impl Derivation<'_> {
         let (vx, vy) = (x.value(), y.value());
         let q_parts =
             [self.component(q.and("x"), vx, Unit::Force, x), self.component(q.and("y"), vy, Unit::Force, y)];
+        let begun = self.blocks.len();
         match sought {
             [Sought::Support(..), Sought::Support(..)] => {
-                for (force, q) in sought.iter().zip(q_parts) {
+                for (force, q) in sought.iter().zip(q_parts.clone()) {
                     let (_, name, value) = self.sought_letters(force);
                     self.equate(name, value, Unit::Force, -q);
                 }
@@ -251,6 +252,16 @@ impl Derivation<'_> {
             }
             _ => {}
         }
+        let mut sums = q_parts;
+        for force in sought {
+            let (angle, name, _) = self.sought_letters(force);
+            let Some(found) = self.found.get(&name).cloned() else { continue };
+            let [x, y] = sums;
+            sums = [x + found.clone() * angle.cos(), y + found * angle.sin()];
+        }
+        for (axis, sum) in ["y", "x"].into_iter().zip(sums.iter().rev()) {
+            self.balanced(begun, &Name::new("ΣF", axis), sum);
+        }
     }
 
     /// The loads on a pin.
@@ -268,7 +279,7 @@ impl Derivation<'_> {
     fn whole_truss(&mut self, joints: &[Joint], fixed: usize, roller: usize) {
         let hinge = joints[fixed].at;
         let point = self.point_name(hinge.0.index(), hinge.1);
-        self.say(Message::WholeTruss, &[vec![text(point)]]);
+        self.say(Message::WholeTruss, &[vec![text(&*point)]]);
         let mut moment = Expr::ZERO;
         let mut sum = [Expr::ZERO, Expr::ZERO];
         for joint in joints.iter().filter(|joint| !joint.loads.is_empty()) {
@@ -283,12 +294,16 @@ impl Derivation<'_> {
         let (angle, name, value) = self.sought_letters(force);
         let arm = self.arm_from(hinge, joints[roller].at);
         let lever = arm[0].clone() * angle.sin() - arm[1].clone() * angle.cos();
-        let found = self.equate(name, value, Unit::Force, -(moment / lever));
+        let begun = self.blocks.len();
+        let found = self.equate(name, value, Unit::Force, -(moment.clone() / lever.clone()));
+        self.balanced(begun, &Name::new("ΣM", &point), &(moment + found.clone() * lever));
         let parts = [found.clone() * angle.cos(), found * angle.sin()];
         let supports = joints[fixed].forces.iter().filter(|f| matches!(f, Sought::Support(..)));
-        for ((support, sum), part) in supports.zip(sum).zip(parts) {
+        for (((support, sum), part), axis) in supports.zip(sum).zip(parts).zip(["x", "y"]) {
             let (_, name, value) = self.sought_letters(support);
-            self.equate(name, value, Unit::Force, -sum - part);
+            let begun = self.blocks.len();
+            let found = self.equate(name, value, Unit::Force, -sum.clone() - part.clone());
+            self.balanced(begun, &Name::new("ΣF", axis), &(found + sum + part));
         }
     }
 

@@ -4,7 +4,7 @@ use crate::course::Derivation;
 use crate::document::text;
 use crate::motion::pin;
 use crate::words::Message;
-use assur_formula::Expr;
+use assur_formula::{Expr, Name};
 use assur_position::plan::{Guide, Inner};
 
 impl Derivation<'_> {
@@ -24,7 +24,12 @@ impl Derivation<'_> {
         let of = |n_1: Expr, n_2: Expr| -((two.clone() * n_1 + one.clone() * n_2) / sine.clone());
         let right = [of(-p.sin(), -q.sin()), of(p.cos(), q.cos())];
         let value = self.state().forces.reactions[inner.slot].force * inner.sign;
+        let at = self.blocks.len();
         let f = self.reaction(bodies[0], bodies[1], value, right);
+        for (i, sum) in [(1, two + q.along(&f)), (0, one - p.along(&f))] {
+            let label = self.label(bodies[i]);
+            self.balanced(at, &Name::new("ΣF", &format!("∥{label}")), &sum);
+        }
         let name = self.reaction_name(bodies[0], bodies[1]);
         self.free.reactions[inner.slot] = Some(name);
         for (i, sign) in [(0, 1), (1, -1)] {

@@ -1,5 +1,6 @@
 //! Reactions of a dyad RPP: the second body along and across its guides, the first about its hinge.
 
+use super::sums::axes_of;
 use crate::course::Derivation;
 use crate::document::text;
 use crate::motion::{of, pin};
@@ -25,9 +26,12 @@ impl Derivation<'_> {
         let name = self.reaction_name(one, two);
         self.say(Message::SumAlongGuide, &[]);
         let value = sign * d_1.perp().dot(between.force);
-        let normal = self.equate(name.clone(), value, Unit::Force, -(way.along(&sums) / sine.clone()));
+        let at_sum = self.blocks.len();
+        let loads = way.along(&sums);
+        let normal = self.equate(name.clone(), value, Unit::Force, -(loads.clone() / sine.clone()));
+        self.balanced(at_sum, &Name::new("ΣF", axes_of(&way)[0]), &(loads + normal.clone() * sine));
         let point = self.point_name(one, hinge);
-        self.say(Message::MomentsOfLink, &[vec![text(self.label(one))], vec![text(&*point)]]);
+        let begun = self.blocks.len();
         let moment = self.moment_about(one, hinge);
         let place = self.moved(one).position(hinge);
         let reference = self.moved(inner.slider).position(inner.point);
@@ -36,7 +40,12 @@ impl Derivation<'_> {
             self.say(Message::ThroughPoint, &[vec![text(self.label(one))], vec![text(point)], of(&name)]);
             Expr::ZERO
         } else {
-            self.equate(Name::new("M", &name.sub), about, Unit::Torque, moment)
+            let letters = Name::new("M", &name.sub);
+            self.couple_of_guide(begun, &letters, (one, hinge), two);
+            let at = self.blocks.len();
+            let found = self.equate(letters, about, Unit::Torque, moment.clone());
+            self.balanced(at, &Name::new("ΣM", &point), &(moment - found.clone()));
+            found
         };
         self.free.reactions[inner.slot] = Some(name);
         let parts = [-(normal.clone() * line.sin()), normal * line.cos()];
@@ -56,7 +65,7 @@ impl Derivation<'_> {
         let value = self.state().forces.reactions[outer.slot].force;
         let right = [0, 1]
             .map(|i| parts[i].clone() - Expr::sum(self.free.forces[one].iter().map(|f| f.parts[i].clone())));
-        let found = self.reaction(outer.base, one, value, right);
+        let found = self.reaction_in_sums([outer.base, one], value, right, one);
         self.carry(outer.slot, &found, &Expr::ZERO);
     }
 }

@@ -16,7 +16,7 @@ impl Derivation<'_> {
         let (way, d) = self.way(guide);
         self.say_once(Message::Determinate);
         let point = self.point_name(two.body, pins[1]);
-        self.say(Message::MomentsOfLink, &[vec![text(&*labels[1])], vec![text(&*point)]]);
+        let begun = self.blocks.len();
         let second = self.moment_about(two.body, pins[1]);
         let sign = if guide.body == two.body { 1.0 } else { -1.0 };
         let reaction = self.state().forces.reactions[guide.slot];
@@ -31,7 +31,12 @@ impl Derivation<'_> {
             );
             Expr::ZERO
         } else {
-            self.equate(Name::new("M", &name.sub), about, Unit::Torque, -second)
+            let letters = Name::new("M", &name.sub);
+            self.couple_of_guide(begun, &letters, (two.body, pins[1]), two.body);
+            let at = self.blocks.len();
+            let found = self.equate(letters, about, Unit::Torque, -second.clone());
+            self.balanced(at, &Name::new("ΣM", &point), &(second + found.clone()));
+            found
         };
         let hinge = self.point_name(one.body, pins[0]);
         self.say(Message::MomentsOfLink, &[vec![text(&*labels[0])], vec![text(&*hinge)]]);
@@ -52,7 +57,10 @@ impl Derivation<'_> {
         let a = self.moved(one.body).position(pins[0]);
         let along = if (b - a).dot(d) * along.value() < 0.0 { -along } else { along };
         let value = sign * d.perp().dot(reaction.force);
-        let normal = self.equate(name, value, Unit::Force, (first.clone() - couple.clone()) / along);
+        let at = self.blocks.len();
+        let rest = first.clone() - couple.clone();
+        let normal = self.equate(name, value, Unit::Force, rest.clone() / along.clone());
+        self.balanced(at, &Name::new("ΣM", &hinge), &(rest - normal.clone() * along));
         let parts = [-(normal.clone() * way.sin()), normal.clone() * way.cos()];
         if (reference - a).norm() > self.tiny || !first.is_zero() {
             let name = self.reaction_name(one.body, two.body);
@@ -89,7 +97,7 @@ impl Derivation<'_> {
                 of_guide[i].clone() - loads
             };
             let right = [of(0), of(1)];
-            found.push(self.reaction(hinge.base, hinge.body, value, right));
+            found.push(self.reaction_in_sums([hinge.base, hinge.body], value, right, hinge.body));
         }
         for (hinge, parts) in [one, two].into_iter().zip(&found) {
             self.carry(hinge.slot, parts, &Expr::ZERO);

@@ -1,10 +1,11 @@
 //! Reactions of a dyad RRP: the link about its inner hinge, the group along the guide, then across it.
 
+use super::sums::axes_of;
 use crate::angle::Angle;
 use crate::course::{Derivation, joined};
-use crate::document::text;
+use crate::document::{Block, text};
 use crate::motion::{across, of, pin, unknown};
-use crate::words::Message;
+use crate::words::{Message, say};
 use assur_formula::{Expr, Name, Unit};
 use assur_math::math::Vec2;
 use assur_model::model::{FindKind, Query};
@@ -51,7 +52,10 @@ impl Derivation<'_> {
         let value = self.state().forces.reactions[outer.slot].force.dot(along) / along.norm();
         self.say(Message::SumAlongGuide, &[]);
         let top = tangential.clone() * lean.sin() - way.along(&q);
-        let normal = self.equate(name.marked("n"), value, Unit::Force, top / lean.cos());
+        let at_sum = self.blocks.len();
+        let normal = self.equate(name.marked("n"), value, Unit::Force, top.clone() / lean.cos());
+        let sum = normal.clone() * lean.cos() - top;
+        self.balanced(at_sum, &Name::new("ΣF", axes_of(&way)[0]), &sum);
         let value = self.state().forces.reactions[outer.slot].force;
         let right = [
             normal.clone() * psi.cos() - tangential.clone() * psi.sin(),
@@ -71,9 +75,13 @@ impl Derivation<'_> {
         let name = self.reaction_name(guide.base, guide.body);
         let reaction = self.state().forces.reactions[guide.slot];
         let value = d.perp().dot(reaction.force);
-        let across = self.equate_or_nothing(&name, value, Unit::Force, normal);
+        let begun = self.blocks.len();
+        let across = self.equate_or_nothing(&name, value, Unit::Force, normal.clone());
+        let axis = axes_of(&self.way(guide).0)[1];
+        self.balanced(begun, &Name::new("ΣF", axis), &(across.clone() - normal));
+        let begun = self.blocks.len();
         let moment = self.moment_about(guide.body, at);
-        let couple = -moment;
+        let couple = -moment.clone();
         let point = self.point_name(guide.body, at);
         let reference = self.moved(guide.slider).position(guide.point);
         let place = self.moved(guide.body).position(at);
@@ -86,12 +94,28 @@ impl Derivation<'_> {
             return (across, Expr::ZERO);
         }
         let letters = Name::new("M", &name.sub);
-        self.say(Message::CoupleOfGuide, &[vec![text(&*point)], of(&letters)]);
+        self.couple_of_guide(begun, &letters, (guide.body, at), guide.body);
+        let begun = self.blocks.len();
         let couple = self.equate(letters, about, Unit::Torque, couple);
+        self.balanced(begun, &Name::new("ΣM", &point), &(moment + couple.clone()));
         self.line_of_guide(&name, &across, &couple, &point);
         let own = (across.clone(), couple.clone());
         self.couple_at_slider(guide, &name, &own, (guide.body, at), reaction.couple);
         (across, couple)
+    }
+
+    /// Says that a guide holds a link by a couple, before the moments about a point of a body which give it.
+    pub(super) fn couple_of_guide(
+        &mut self,
+        before: usize,
+        letters: &Name,
+        (body, at): (usize, Vec2),
+        held: usize,
+    ) {
+        let [point, held, freed] = [self.point_name(body, at), self.label(held), self.label(body)];
+        let parts = [vec![text(point)], of(letters), vec![text(held)], vec![text(freed)]];
+        let line = say(self.language, Message::CoupleOfGuide, &parts);
+        self.insert(before, vec![Block::Paragraph(line)]);
     }
 
     /// Force and couple of a guide as one force at a distance from a point.

@@ -28,8 +28,11 @@ impl Derivation<'_> {
         let _ = &angle;
         let along = (inner - outer).turned(self.moved(hinge.body).u);
         let value = along.perp().dot(force) / along.norm();
-        let part =
-            self.equate(name.marked(self.language.letters().tangential), value, Unit::Force, moment / length);
+        let at = self.blocks.len();
+        let marked = name.marked(self.language.letters().tangential);
+        let part = self.equate(marked, value, Unit::Force, moment.clone() / length.clone());
+        let sum = moment - part.clone() * length;
+        self.balanced(at, &Name::new("ΣM", &self.point_name(hinge.body, inner)), &sum);
         (name, part)
     }
 
@@ -56,9 +59,14 @@ impl Derivation<'_> {
         });
         let q_parts = [qx.clone(), qy.clone()];
         let top = t1.clone() * between.cos() + t2.clone() + q.across(&q_parts);
-        let r1 = self.equate(n1.marked("n"), f[0], Unit::Force, -(top / between.sin()));
+        let along = |sign: &str| Name::new("ΣF", &format!("{sign}{}", joined(&names[1][0], &names[1][1])));
+        let at = self.blocks.len();
+        let r1 = self.equate(n1.marked("n"), f[0], Unit::Force, -(top.clone() / between.sin()));
+        self.balanced(at, &along("⊥"), &(r1.clone() * between.sin() + top));
         let right = t1.clone() * between.sin() - r1.clone() * between.cos() - q.along(&q_parts);
-        let r2 = self.equate(n2.marked("n"), f[1], Unit::Force, right);
+        let at = self.blocks.len();
+        let r2 = self.equate(n2.marked("n"), f[1], Unit::Force, right.clone());
+        self.balanced(at, &along("∥"), &(r2.clone() - right));
         let parts = [(one, &p, &r1, &t1), (two, &q, &r2, &t2)];
         let mut found = Vec::new();
         for (hinge, angle, n, t) in parts {
@@ -86,7 +94,7 @@ impl Derivation<'_> {
             Expr::sum(std::iter::once(outer[i].clone()).chain(loads))
         };
         let right = [of(0), of(1)];
-        self.reaction(bodies[0], bodies[1], value, right);
+        self.reaction_in_sums(bodies, value, right, bodies[0]);
         let name = self.reaction_name(bodies[0], bodies[1]);
         if let Some(kept) = self.free.reactions.get_mut(inner.slot) {
             *kept = Some(name);

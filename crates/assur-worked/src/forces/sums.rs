@@ -2,12 +2,35 @@
 
 use crate::angle::Angle;
 use crate::course::{Derivation, joined};
-use crate::document::Term;
+use crate::document::{Block, Term};
 use crate::motion::unknown;
-use assur_formula::{Expr, Name, Unit};
+use assur_formula::{Expr, Lines, Name, Unit};
 use assur_math::math::Vec2;
 
+/// A sum of forces or moments below this part of its terms is zero.
+const BALANCED: f64 = 1e-9;
+
+/// The indices of sums of forces along a guide and across it.
+pub(super) const fn axes_of(way: &Angle) -> [&'static str; 2] {
+    if way.part.is_none() && way.quarters == 0 { ["x", "y"] } else { ["∥", "⊥"] }
+}
+
 impl Derivation<'_> {
+    /// Writes an equation of equilibrium before what follows from it and begins at this place; where nothing follows, it is not
+    /// written, nor is one that the state does not fulfil.
+    pub(super) fn balanced(&mut self, at: usize, name: &Name, sum: &Expr) {
+        let block = Block::Equation(Lines::zero(name, sum));
+        if self.blocks.len() == at || sum.is_zero() || self.blocks.contains(&block) {
+            return;
+        }
+        let off = sum.value().abs() / sum.scale();
+        if off <= BALANCED {
+            self.insert(at, vec![block]);
+        } else {
+            self.disagreements.push(format!("{name:?} is not zero (off by {off:e})"));
+        }
+    }
+
     /// The moment of all that is known on a body about a point of it, without reactions still sought.
     pub fn moment_about(&mut self, body: usize, at: Vec2) -> Expr {
         let place = self.moved(body).position(at);

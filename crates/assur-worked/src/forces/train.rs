@@ -7,7 +7,7 @@ use crate::document::{Line, text};
 use crate::letters::teeth_name;
 use crate::motion::{of, pin};
 use crate::words::Message;
-use assur_formula::{Expr, Name, Unit};
+use assur_formula::{Expr, Name, Unit, quantity};
 use assur_model::model::{PairKind, TransmissionKind, Wheel};
 use assur_position::plan::{Hinge, TrainEffort, TrainSupport};
 use assur_position::position::Origin;
@@ -15,12 +15,25 @@ use assur_position::position::Origin;
 /// An equation: load + Σ factor × unknown = 0.
 struct Row {
     label: String,
+    /// The letters of its sum.
+    sum: Name,
     load: Expr,
     terms: Vec<(usize, Expr)>,
 }
 
 /// An unknown: letters, value, unit.
 type Unknown = (Name, f64, Unit);
+
+impl Row {
+    /// The left side, with the unknowns that are still sought.
+    fn whole(&self, unknowns: &[Unknown], found: &[Option<Expr>]) -> Expr {
+        let terms = self.terms.iter().map(|(u, factor)| {
+            let (name, value, unit) = unknowns[*u].clone();
+            factor.clone() * found[*u].clone().unwrap_or_else(|| quantity(name, value, unit))
+        });
+        Expr::sum(std::iter::once(self.load.clone()).chain(terms))
+    }
+}
 
 impl Derivation<'_> {
     pub(super) fn force_train(&mut self, index: usize, train: usize) -> bool {
@@ -158,7 +171,8 @@ impl Derivation<'_> {
                 };
                 terms.push((k, factor));
             }
-            rows.push(Row { label, load, terms });
+            let sum = Name::new(if turns { "ΣM" } else { "ΣF" }, &label);
+            rows.push(Row { label, sum, load, terms });
         }
         rows.reverse();
         rows
@@ -248,7 +262,10 @@ impl Derivation<'_> {
         let (name, value, unit) = unknowns[u].clone();
         let label: Line = vec![text(&*row.label)];
         self.say(Message::MemberGives, &[label, of(&name)]);
-        found[u] = Some(self.solved_for(name, value, unit, rest, factor));
+        let at = self.blocks.len();
+        let own = self.solved_for(name, value, unit, rest, factor);
+        found[u] = Some(own);
+        self.balanced(at, &row.sum, &row.whole(unknowns, found));
     }
 
     fn pair(&mut self, one: &Row, two: &Row, unknowns: &[Unknown], found: &mut [Option<Expr>]) {
@@ -269,7 +286,11 @@ impl Derivation<'_> {
         let (name, value, unit) = unknowns[*second].clone();
         let labels: Line = vec![text(format!("{}, {}", one.label, two.label))];
         self.say(Message::MembersGive, &[labels, of(&unknowns[*first].0), of(&name)]);
+        let at = self.blocks.len();
         found[*second] = Some(self.solved_for(name, value, unit, rest, own));
+        for row in [two, one] {
+            self.balanced(at, &row.sum, &row.whole(unknowns, found));
+        }
     }
 
     /// −rest / factor; where nothing loads it, it is nothing.

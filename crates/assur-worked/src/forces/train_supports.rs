@@ -209,7 +209,7 @@ impl Derivation<'_> {
                 self.say(Message::BearingsOf, &[]);
                 said = true;
             }
-            let found = self.reaction(base, body, reaction.force, parts.map(|p| -p));
+            let found = self.reaction_in_sums([base, body], reaction.force, parts.map(|p| -p), body);
             self.carry(slot, &found, &Expr::ZERO);
         }
     }

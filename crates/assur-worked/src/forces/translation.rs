@@ -1,5 +1,6 @@
 //! Normal forces of a body between two guides; how they share the couple is not determined.
 
+use super::sums::axes_of;
 use crate::course::Derivation;
 use crate::document::text;
 use crate::words::Message;
@@ -21,11 +22,16 @@ impl Derivation<'_> {
         let mut normals = Vec::new();
         for i in 0..2 {
             let other = &both[1 - i].0;
-            let along = other.along(&sums) / sine.clone();
+            let loads = other.along(&sums);
+            let along = loads.clone() / sine.clone();
             let right = if i == 0 { -along } else { along };
             let value = both[i].1.perp().dot(self.state().forces.reactions[ways[i].slot].force);
             let name = self.reaction_name(ways[i].base, body);
+            let at = self.blocks.len();
             let normal = self.equate(name, value, Unit::Force, right);
+            let own = normal.clone() * sine.clone();
+            let sum = if i == 0 { loads + own } else { loads - own };
+            self.balanced(at, &Name::new("ΣF", axes_of(other)[0]), &sum);
             normals.push(normal);
         }
         let moment = self.moment_about(body, at);
@@ -35,7 +41,10 @@ impl Derivation<'_> {
             self.say(Message::CoupleOnFirst, &[vec![text(self.point_name(body, at))]]);
             let name = Name::new("M", &self.reaction_name(ways[0].base, body).sub);
             let reaction = self.state().forces.reactions[ways[0].slot];
-            self.equate(name, reaction.couple, Unit::Torque, -moment)
+            let begun = self.blocks.len();
+            let found = self.equate(name, reaction.couple, Unit::Torque, -moment.clone());
+            self.balanced(begun, &Name::new("ΣM", &self.point_name(body, at)), &(moment + found.clone()));
+            found
         };
         for (i, normal) in normals.iter().enumerate() {
             let couple = if i == 0 { couple.clone() } else { Expr::ZERO };

@@ -62,9 +62,11 @@ impl Derivation<'_> {
         let [x, y] = self.sum_of(&[body]);
         let moment = self.moment_about(body, at);
         let found = self.state().forces.reactions[weld.slot];
-        let parts = self.reaction(weld.base, body, found.force, [-x, -y]);
+        let parts = self.reaction_in_sums([weld.base, body], found.force, [-x, -y], body);
         let name = self.reaction_name(weld.base, body);
-        let couple = self.equate(Name::new("M", &name.sub), found.couple, Unit::Torque, -moment);
+        let begun = self.blocks.len();
+        let couple = self.equate(Name::new("M", &name.sub), found.couple, Unit::Torque, -moment.clone());
+        self.balanced(begun, &Name::new("ΣM", &self.point_name(body, at)), &(moment + couple.clone()));
         self.carry(weld.slot, &parts, &couple);
     }
 

@@ -1,7 +1,7 @@
 //! The lift of a cam at a position: the formula of the stage in which the cam stands, and its cam angle at a lift.
 
 use super::cam::CamLaw;
-use crate::cam_law::{derivatives, greatest_acceleration, inverse, is_of_half, shape};
+use crate::cam_law::{derived, greatest_acceleration, in_radians, inverse, is_of_half};
 use crate::course::Derivation;
 use crate::spline::{Spline, Term};
 use crate::words::Message;
@@ -28,17 +28,26 @@ impl Derivation<'_> {
         let begin = self.given(Name::new("θ", &format!("0,{stage}")), phase.start.to_degrees(), Unit::Angle);
         let angle = self.given(Name::new("Φ", &stage), phase.angle.to_degrees(), Unit::Angle);
         let x = ((around - phase.start) / phase.angle).clamp(0.0, 1.0);
-        let right = (turned + Expr::Degrees(360 * turns) - begin) / angle.clone();
+        let right = (turned + Expr::Degrees(360 * turns) - begin) / angle;
         let part = self.equate(Name::new("u", &law.lift.sub), x, Unit::One, right);
         let h = self.given(Name::new("h", &stage), scale * phase.change, unit);
         let from = self.given(Name::new("s", &format!("0,{stage}")), scale * phase.from, unit);
         let constants = self.constants_of(step, (index, phase), law.turns);
-        let mirrored = is_of_half(phase.law) && x > 0.5;
-        let (place, of) = if mirrored { (1.0 - x, Expr::Int(1) - part) } else { (x, part) };
-        let [way, slope, bend] = shape(phase.law, &h, &of, place, &constants)?;
-        let [way, bend] = if mirrored { [h - way, -bend] } else { [way, bend] };
-        let [first, second] = derivatives(law.turns, slope, bend, angle);
+        let angle = self.in_radians(Name::new("Φ", &stage), phase.angle);
+        let is_spline = matches!(phase.law, Law::Spline(_));
+        let own = if law.turns && !is_spline {
+            self.in_radians(Name::new("h", &stage), phase.change)
+        } else {
+            h.clone()
+        };
+        let [way, first, second] = derived(phase.law, [&h, &own], (x, part), &constants, &angle)?;
         Some([from + way, first, second])
+    }
+
+    /// An angle of the file in rad; it is left out where nothing uses it.
+    fn in_radians(&mut self, name: Name, angle: f64) -> Expr {
+        self.optional.insert(self.blocks.len());
+        self.equate(name, angle, Unit::Radian, in_radians(angle))
     }
 
     /// The cam's angle at the lift, as a formula, where the law of the stage has an inverse; the part of the stage goes before it.

@@ -40,7 +40,7 @@ messages! {
         NoEffort ActsCounterClockwise ActsClockwise VirtualPower PowerOpen Residuals OpenSizes SweepStated
         TrainPlaces LawsOfTrain LawsTogether Eliminated LawOf TrainForces MemberGives MembersGive SheetHead
         DrawnFor TextOf OtherPose Variants Variant Find Answers Solution KeyHead Position TogetherForces
-        EquilibriumOf Closes AskedFor AskedOfGuides AskedOfForces NoForces NothingActs SeeScheme SeePlan
+        EquilibriumOf Closes AskedFor AskedOfGuides AskedOfForces NoForces SeeScheme SeePlan
         SeeFreed SeePolygon SeeLever Rates LoadHere LoadResultant InsideLink CoupleOnFirst EquationsTogether SolutionIs RatesTogether
         PowerFlows TeethPress BearingsOf TrainPowers CarrierLocked CarrierTurns SumOfBoth WillisParts
         WillisSpeeds Sizes SizesOf CamTurned CamTurnedBy LiftBegins PlanetsEven SplineSlopes RootOfLaw
@@ -101,7 +101,8 @@ messages! {
         AngularVelocity AngularAcceleration Displacement RelativeVelocity Sliding RelativeAcceleration
         Coriolis Reaction Moment Normal Friction FrictionPower Efficiency Locked InertiaForce InertiaTorque
         PressureAngle BalancingTorque BalancingEffort DriveEffort Load Power KineticEnergy PotentialEnergy
-        Travel Stroke TimeRatio TangentialForce ToothForce Tension TightSide SlackSide DeadPosition Period
+        Travel Stroke TimeRatio TangentialForce TangentialForceOn TangentialForceBetween
+        ToothForce ToothForceOn ToothForceBetween Tension TightSide SlackSide DeadPosition Period
         EventTime EventDrive Greatest Least Mean Integral WhereGreatest Work FlywheelInertia Fluctuation RimWidth
         RimHeight RimMass ReducedTorque ReducedInertia ExcessWork StaticMass DynamicMass SecondMass
         SecondDistance InertiaLeft Jerk AngularJerk RelativeJerk CurvatureRadius CurvatureCentre Axial StopsEffort
