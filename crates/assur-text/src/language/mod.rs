@@ -6,7 +6,6 @@ mod dimension;
 mod function;
 mod functions;
 mod kinds;
-mod letters;
 mod properties;
 mod units;
 mod words;
@@ -14,10 +13,9 @@ mod words;
 pub use codes::{CODES, Code, explain};
 pub use dimension::{Dimension, Kind};
 pub use function::{Argument, Form, FunctionGroup, FunctionRow, Gives, Takes};
-pub use functions::{FUNCTIONS, Function};
+pub use functions::{FUNCTIONS, Function, Index, letter_of};
 pub use kinds::{COLLECTIONS, Collection};
 pub use kinds::{CamLaw, JointKind, LAWS, PAIRS};
-pub use letters::{Index, letter_of};
 pub use properties::{
     BRAKE, CAM, COUNTERWEIGHT, FLYWHEEL, FOLLOWER, PROPERTIES, RIM, SPRING, STOP, TORSION_SPRING,
     properties_of_pair,
