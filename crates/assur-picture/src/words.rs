@@ -25,10 +25,26 @@ pub fn drive_letter<'a>(mechanism: &'a Mechanism, drive: &'a Drive) -> (&'static
     (if turns { "φ" } else { "s" }, number.unwrap_or(&drive.name))
 }
 
+/// The coordinate of a drive in words: `φ₁`, `φ`, `s_ram`. A name is no index where there is one drive.
+#[must_use]
+pub fn drive_name(mechanism: &Mechanism, drive: &Drive) -> String {
+    if matches!(drive.target, DriveTarget::Place(..)) {
+        return drive.name.clone();
+    }
+    let (letter, index) = drive_letter(mechanism, drive);
+    let lowered = |c: char| char::from_u32(c as u32 - '0' as u32 + '₀' as u32).unwrap_or(c);
+    match index {
+        _ if index.chars().all(|c| c.is_ascii_digit()) => {
+            format!("{letter}{}", index.chars().map(lowered).collect::<String>())
+        }
+        _ if mechanism.drives.len() == 1 => letter.to_owned(),
+        _ => format!("{letter}_{index}"),
+    }
+}
+
 /// Where the drives are, with five digits: `φ₁ = 45°`. A name is no index where there is one drive.
 #[must_use]
 pub fn drive_words(mechanism: &Mechanism, values: &[DriveValue], greatest: &MotionScales) -> Vec<String> {
-    let only = mechanism.drives.len() == 1;
     let said = mechanism.drives.iter().zip(values).filter_map(|(drive, value)| {
         let display = mechanism.drive_display(drive.target);
         let value = match value {
@@ -38,19 +54,7 @@ pub fn drive_words(mechanism: &Mechanism, values: &[DriveValue], greatest: &Moti
             }
             DriveValue::None => return None,
         };
-        let value = value_in_digits(&display, value, DIGITS);
-        if matches!(drive.target, DriveTarget::Place(..)) {
-            return Some(format!("{} = {value}", drive.name));
-        }
-        let (letter, index) = drive_letter(mechanism, drive);
-        let index = if index.chars().all(|c| c.is_ascii_digit()) {
-            index.chars().map(|c| char::from_u32(c as u32 - '0' as u32 + '₀' as u32).unwrap_or(c)).collect()
-        } else if only {
-            String::new()
-        } else {
-            format!("_{index}")
-        };
-        Some(format!("{letter}{index} = {value}"))
+        Some(format!("{} = {}", drive_name(mechanism, drive), value_in_digits(&display, value, DIGITS)))
     });
     said.collect()
 }

@@ -3,6 +3,7 @@
 use crate::figures::{cleared, unit_text};
 use crate::plot::Curves;
 use crate::scene::Scene;
+use crate::words::drive_name;
 use assur_model::model::Display;
 use assur_solve::solve::DriveValue;
 use assur_text::units::Dimension;
@@ -14,7 +15,7 @@ const DECIMALS: i32 = 6;
 
 /// A number of all frames.
 pub struct Column {
-    /// `crank`, `Mb`.
+    /// `φ₁`, `Mb`.
     pub name: String,
     /// What stands behind it: `°`, ` N·m`.
     pub unit: String,
@@ -72,7 +73,8 @@ fn drives(frames: &[Scene<'_>]) -> Vec<Column> {
                     DriveValue::Scalar(x) => Some(*x),
                     _ => None,
                 };
-                all.push(Column::of(name, &display, &values(&scalar)));
+                let name = drive_name(first.mechanism(), drive);
+                all.push(Column::of(&name, &display, &values(&scalar)));
             }
             Some(DriveValue::Point(_)) => {
                 let x = values(&|value| point(value).map(|p| p.x));
