@@ -260,9 +260,7 @@ fn an_animation_is_a_page_or_a_picture() {
     let out = assur(&folder, &["draw", "a.mech", "animation", "-o", "a.html"]);
     assert_eq!((out.status, out.stdout.as_str(), out.stderr.as_str()), (0, "", ""));
     let page = folder.read("a.html");
-    assert!(
-        page.contains("<script ") && page.contains("<output class=\"motion-values\">φ = 0.0°</output>")
-    );
+    assert!(page.contains("<script ") && page.contains("<output class=\"motion-values\">φ = 0.0°</output>"));
     let out = assur(&folder, &["draw", "a.mech", "animation", "--frames", "10000"]);
     assert!(out.status == 0 && out.stdout.len() < 1_200_000, "{} bytes", out.stdout.len());
 }
