@@ -115,7 +115,12 @@ fn relabel(language: Language, mechanism: &Mechanism, text: &mut Text) {
         if run.level == Level::Sup && run.letters == "t" {
             run.letters = letters.tangential.to_owned();
         } else if run.level == Level::Base && (!run.italic || run.letters.contains(' ')) {
-            run.letters = phrase(language, &run.letters);
+            // `a (rope)`: a name with its kind
+            let kind = run.letters.strip_suffix(')').and_then(|words| words.split_once(" ("));
+            run.letters = match kind {
+                Some((name, kind)) => format!("{name} ({})", phrase(language, kind)),
+                None => phrase(language, &run.letters),
+            };
         }
         // a reaction may have a mark between its letter and its index
         let index = index.or_else(|| {
