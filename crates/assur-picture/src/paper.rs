@@ -157,7 +157,7 @@ impl Frame {
         Self { scale, origin, factor: scale.map_or(1.0, |s| s.factor()) }
     }
 
-    /// With so many metres per millimetre.
+    /// With a factor, m/mm, that no scale bar shows.
     #[must_use]
     pub const fn of_unit(factor: f64, origin: Vec2) -> Self {
         Self { scale: None, origin, factor }

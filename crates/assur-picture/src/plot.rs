@@ -382,7 +382,7 @@ fn poles(drawing: &mut Drawing, panel: &Panel, group: &Group<'_>, along: &Displa
     drawing.end();
 }
 
-/// Dots at the positions of the sweep; none where they are too near to one another to be told apart, unless they are all there is.
+/// Dots at the positions of the sweep; none where neighbours would touch, unless nothing else is drawn.
 fn dots(drawing: &mut Drawing, panel: &Panel, dots: Line, alone: bool) {
     #[allow(clippy::cast_precision_loss)] // positions
     let apart = WIDTH / dots.len().max(1) as f64;

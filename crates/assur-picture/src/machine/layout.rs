@@ -486,9 +486,13 @@ impl Room<'_, '_> {
         }
         let most = if is_free { TRAVEL * unit } else { EXTENTS * PAPER * unit };
         let open: Vec<LinkId> = self.open_sliders().collect();
-        for (link, at) in hung.iter().filter(|(link, _)| open.contains(link)) {
-            let [least, greatest] = range(self.poses, *link);
-            let share = (most / (greatest - least)).min(1.0);
+        hung.retain(|(link, _)| open.contains(link));
+        // one for all, so that ropes keep their lengths
+        let farthest =
+            hung.iter().map(|(link, _)| range(self.poses, *link)).map(|[a, b]| b - a).fold(0.0, f64::max);
+        let share = (most / farthest).min(1.0);
+        for (link, at) in &hung {
+            let [least, _] = range(self.poses, *link);
             self.shares[link.index()] = share;
             // its highest place is below all wheels
             self.guide(*link, *at * unit + Vec2::new(0.0, least * share), Vec2::new(0.0, -1.0));

@@ -26,14 +26,7 @@ pub struct Laid {
 impl Laid {
     /// The mechanism of a scene at positions; none where nothing is laid out: all has a place, and no rope, worm or screw runs.
     pub fn of(scene: &Scene<'_>, poses: &mut Vec<Pose>) -> Option<Self> {
-        let mechanism = scene.mechanism();
-        let runs = |kind: &PairKind| match kind {
-            PairKind::Transmission(t) => {
-                matches!(t.kind, TransmissionKind::Rope | TransmissionKind::Worm | TransmissionKind::Screw)
-            }
-            _ => false,
-        };
-        if !scene.is_open && !mechanism.pairs.iter().any(|pair| runs(&pair.kind)) {
+        if !is_needed(scene) {
             return None;
         }
         let (mechanism, arrangement) = layout::placed(scene, poses);
@@ -50,6 +43,9 @@ impl Laid {
 
     /// The mechanism of a scene at its position and on its way.
     pub fn at_rest(scene: &Scene<'_>) -> Option<Self> {
+        if !is_needed(scene) {
+            return None;
+        }
         let all = std::iter::once(scene.pose).chain(scene.turn);
         Self::of(scene, &mut all.cloned().collect())
     }
@@ -78,6 +74,17 @@ impl Laid {
         };
         self.poses.iter().filter_map(of).collect()
     }
+}
+
+/// Whether anything is laid out: something has no place, or a rope, a worm or a screw runs.
+fn is_needed(scene: &Scene<'_>) -> bool {
+    let runs = |kind: &PairKind| match kind {
+        PairKind::Transmission(t) => {
+            matches!(t.kind, TransmissionKind::Rope | TransmissionKind::Worm | TransmissionKind::Screw)
+        }
+        _ => false,
+    };
+    scene.is_open || scene.mechanism().pairs.iter().any(|pair| runs(&pair.kind))
 }
 
 /// The ways of all pairs; of sliders that were laid out over these positions.

@@ -72,7 +72,7 @@ impl<'a> Sketch<'a, '_> {
         let internal = (c_b - c_a).norm() < radii[0].max(radii[1]);
         let Some(towards) = (c_b - c_a).unit() else { return };
         let module = a.teeth.map_or(0.0, |z| 2.0 * radii[0] / z).max(MODULE);
-        // in step where the file leaves sizes open too: so many pitches a turn as there are teeth
+        // both wheels keep step where the file leaves sizes open too: a turn has as many pitches as teeth
         let count = |wheel: &Wheel, radius: f64| wheel.teeth.unwrap_or(2.0 * radius / module);
         let larger = 2.0 * radii[0] / module / count(a, radii[0]);
         let line = self.line_turned(a, b);

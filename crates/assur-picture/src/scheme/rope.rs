@@ -1,4 +1,4 @@
-//! Belts, ropes, what ropes carry, nuts, and ends of shafts without wheels.
+//! Belts, ropes with what they carry, nuts, ends of shafts.
 
 use super::link::POINT;
 use super::{LinkId, Sketch};
@@ -8,7 +8,6 @@ use crate::symbol::{arrow, gear, guide, hinge, wheel};
 use assur_drawing::{Drawing, Label, Rect, Role, Shape, Style, Text};
 use assur_math::math::Vec2;
 use assur_model::model::{Bearing, PairId, PairKind, Transmission, TransmissionKind, Wheel};
-
 use std::f64::consts::PI;
 
 /// From an idler to the ceiling, and half the length of a piece of that.
@@ -16,7 +15,7 @@ const CEILING: f64 = 2.5;
 const PIECE: f64 = 4.0;
 /// Half the length and half the height of what a rope carries.
 const LOAD: Vec2 = Vec2::new(5.0, 3.6);
-/// Size of what is said of a belt or a rope.
+/// Size of the names of ropes and idlers, and of angular velocities.
 const SMALL: f64 = POINT * 0.75;
 const LETTERS: f64 = 4.0;
 /// A link that is a hinge alone.
@@ -81,7 +80,7 @@ impl Sketch<'_, '_> {
         drawing.end();
     }
 
-    /// A pulley, which the rope turns by so much of its rim, or where the rope is fastened.
+    /// A pulley, whose rim runs with the rope, or the place where the rope is fastened.
     fn station(&self, drawing: &mut Drawing, end: &End, (at, radius): (Vec2, f64), run: f64) {
         let ceiling = |drawing: &mut Drawing, at: Vec2| {
             let half = Vec2::new(PIECE, 0.0);
@@ -114,10 +113,16 @@ impl Sketch<'_, '_> {
     /// How far each part of a rope has run since the first frame, towards its last end, m.
     fn runs(&self, rope: &Rope) -> Vec<f64> {
         let down = |link: LinkId| -self.slid(link).y;
+        // what it carries may go a part of its way: then the rope does
+        let shares = self.scene.laid.map(|laid| laid.shares.as_slice()).unwrap_or_default();
+        let own =
+            rope.stations.iter().filter(|station| matches!(station.end, End::Slider(_) | End::Under(_)));
+        let share =
+            own.filter_map(|station| shares.get(station.link.index())).fold(1.0_f64, |a, b| a.min(*b));
         let mut run = 0.0;
         let runs = rope.stations.iter().map(|station| {
             match &station.end {
-                End::Wheel(_) => run = station.sense * station.radius * self.turned(station.link),
+                End::Wheel(_) => run = station.sense * station.radius * self.turned(station.link) * share,
                 End::Slider(link) => run = -down(*link),
                 End::Under(link) => run -= 2.0 * down(*link),
                 End::Over(_) => {}

@@ -35,7 +35,7 @@ pub fn reach(radius: f64) -> f64 {
 }
 
 /// A toothed line, its pitch line through a place, from and to coordinates along it. The teeth are about a place of their own on it, as
-/// far as there are so many on each side.
+/// far as they reach, at most this number on each side.
 pub fn rack(
     drawing: &mut Drawing,
     (touch, side): (Vec2, Vec2),

@@ -13,7 +13,7 @@ use assur_model::model::{Bearing, LinkId, PairKind, TransmissionKind};
 
 /// From the section to the front view.
 const BESIDE: f64 = 24.0;
-/// The most wheels that are told apart in it.
+/// With more wheels the view is too crowded to read.
 const MOST: usize = 10;
 /// From a worm to the end of its shaft with the bearing, and to the other end.
 const LONG: f64 = 14.0;

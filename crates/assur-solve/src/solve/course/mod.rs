@@ -76,7 +76,7 @@ pub fn courses(model: &Model<'_>, solution: &Solution, sets: &[CourseSet]) -> Re
 }
 
 impl Course {
-    /// Its lines: values of the drive and of the number, at least so many over the whole way where it is smooth.
+    /// Its lines: values of the drive and of the number, with at least `parts` steps over the whole range where it is smooth.
     #[must_use]
     pub fn lines(&self, parts: f64) -> Vec<Vec<(f64, f64)>> {
         let line = |piece: &Piece| match piece {
@@ -164,7 +164,7 @@ impl Course {
         self.interval.0 + self.interval.1 * s
     }
 
-    /// The courses of so many numbers by places that are near enough to one another; breaks are known places where they may jump or
+    /// The courses of `count` numbers by places that are near enough to one another; breaks are known places where they may jump or
     /// grow without bound.
     pub(crate) fn by_places(
         places: &mut Places<'_>,

@@ -7,14 +7,15 @@ const INTERVALS: f64 = 128.0;
 pub(super) const MOST: f64 = 2048.0;
 /// How near to a known break a piece comes, as a part of the way.
 const BESIDE: f64 = 1e-9;
-/// From so near to a place, or a little farther where it has no value there, a number has no bound if it changes over the nearest of
-/// three distances, each so many times the one before, as much as over the next: a logarithm does, a pole by more, a root by 0.03.
+/// The least distance from a place at which a number is evaluated, or the next where it has no value; then `NEARER` and `NEARER`² times
+/// as far. It has no bound if it changes over the first step by more than `GROWS` times what it changes over the second: a logarithm
+/// changes as much, a pole more, a root 0.03 times as much.
 const DISTANCES: [f64; 3] = [1e-9, 1e-8, 1e-7];
 const NEARER: f64 = 1e3;
 const GROWS: f64 = 0.7;
-/// So much of what it is does what is steep change by there, in distances.
+/// And only if this change, relative to the number, is more than this many times the distance: less is a steep slope.
 const STEEP: f64 = 1e5;
-/// A height of so many spreads is a pole, or of so many times what was seen first; from the other sign of so many.
+/// A height of `FAR` spreads is a pole, or of `HIGHER` times the height seen first; `HIGHER_OF_BOTH` where the signs differ.
 const FAR: f64 = 1e7;
 const HIGHER: f64 = 1e5;
 const HIGHER_OF_BOTH: f64 = 1e4;

@@ -34,7 +34,7 @@ pub(crate) struct Refined {
     pub looks: Vec<Look>,
 }
 
-/// Places at which lines follow all of so many numbers; breaks are known places where they may jump or grow without bound.
+/// Places at which lines follow all of `count` numbers; breaks are known places where they may jump or grow without bound.
 pub(crate) fn refined(places: &mut Places<'_>, count: usize, breaks: &[f64], turns: f64) -> Option<Refined> {
     let grid = places.grid(breaks, turns);
     let looks = (0..count).map(|which| places.look(&grid, breaks, which)).collect::<Option<Vec<Look>>>()?;

@@ -229,7 +229,7 @@ impl Run {
         Ok(Self { between: (found.from, found.report.end), series: found.courses, found: found.functions })
     }
 
-    /// The course of the quotient of a function and of so many that follow it, which are zero at these instants.
+    /// The course of the quotient of a function and of the `count` functions that follow it, which are zero at these instants.
     fn unbounded(&self, (index, count): (usize, usize), (zeros, rounding): (&[f64], f64)) -> Course {
         let Some([product, by @ ..]) = self.series.get(index..=index + count) else {
             return Course::default();
