@@ -294,3 +294,19 @@ fn wheels_of_all_examples_turn_where_their_links_do() {
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
     assert!(count > 30, "{count} wheels");
 }
+
+#[test]
+fn a_link_with_a_mark_of_its_own_gets_no_disc() {
+    let text = "ground { A (0, 0); line guide through A along 0 deg }\nlink crank A-B 40 mm\nlink rod B-C 120 mm\n\
+                link ram { C (0, 0) }\nrevolute A: ground - crank\nrevolute B: crank - rod\nrevolute C: rod - ram\n\
+                prismatic D: ram.C - ground.guide\nassemble C ahead of A\ndrive crank = 30 deg at 60 rpm\nfind velocity(C)\n";
+    let (source, solved) = solved("crank-slider", text).expect("it is solved");
+    let page = crate::drawn::animated(&source, &solved).expect("it moves");
+    let links = page.split("<g class=\"link\" data-name=\"ram\">").skip(1);
+    let own = links.map(|group| group.split("data-name=").next().unwrap_or_default());
+    assert!(own.into_iter().all(|group| !group.contains("<circle")), "the ram has its block");
+    let text = "ground { A (0, 0) }\nlink rotor { A (0, 0) }\nrevolute A: ground - rotor\ndrive rotor = 0 deg at 60 rpm\nfind omega(rotor)\n";
+    let (source, solved) = crate::drawn::solved("rotor", text).expect("it is solved");
+    let page = crate::drawn::animated(&source, &solved).expect("it moves");
+    assert!(bodies(&page, "link", "rotor").iter().any(|[_, _, turn]| turn.iter().any(|t| t.abs() > 90.0)));
+}

@@ -32,6 +32,15 @@ pub fn extent(scene: &Scene<'_>, bounds: &mut Rect) {
     laid.threads.iter().for_each(|thread| super::profile::round(bounds, thread.at, thread.half));
 }
 
+/// Whether a link has a profile in a pair, or is a pin in its slot.
+fn touches(kind: &PairKind, link: LinkId) -> bool {
+    match kind {
+        PairKind::Contact { first, second, .. } => first.link == link || second.link == link,
+        PairKind::Slot(g) => g.slider == link,
+        _ => false,
+    }
+}
+
 impl Sketch<'_, '_> {
     /// A belt or a chain, with marks that run where it moves.
     pub(super) fn belt(&self, drawing: &mut Drawing, t: &Transmission, a: &Wheel, b: &Wheel) {
@@ -177,9 +186,11 @@ impl Sketch<'_, '_> {
                 PairKind::Revolute(pins) => pins.iter().find(|pin| pin.link == link),
                 _ => None,
             });
-            let drawn = !(outline.bars.is_empty() && outline.plates.is_empty() && outline.arms.is_empty());
-            let has_wheel = mechanism.wheels.iter().any(|wheel| wheel.link == link);
-            let Some(pin) = pin.filter(|_| !drawn && !clutched && !has_wheel) else { continue };
+            let drawn = !(outline.bars.is_empty() && outline.plates.is_empty() && outline.arms.is_empty())
+                || self.blocks.iter().any(|block| block.0 == link)
+                || mechanism.wheels.iter().any(|wheel| wheel.link == link)
+                || mechanism.pairs.iter().any(|pair| touches(&pair.kind, link));
+            let Some(pin) = pin.filter(|_| !drawn && !clutched) else { continue };
             if !self.scene.is_placed(link) || self.scene.is_in_cylinder(link) {
                 continue;
             }
